@@ -1,0 +1,43 @@
+#pragma once
+// The cone with apex (0, 0, 1) and base radius 1 at z = −1, capped; or, truncated, with radius `top` at z = 1.
+// Faces: 0 the wall, 1 the base, 2 the top.
+
+#include "core/generics/slab.hpp"
+#include "core/generics/tube.hpp"
+#include "core/math/box.hpp"
+
+namespace rayscope {
+
+template <Scalar T> struct Cone {
+    T top = T(0); ///< radius at z = 1; 0 ≤ top < 1
+
+    static constexpr const char* name = "cone";
+    static constexpr bool solid = true;
+    static constexpr int wall = 0, base = 1, lid = 2;
+
+    /// Slab first: between its planes the other nappe does not exist.
+    [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const {
+        const Interval<T> within = slab(ray.origin.z, ray.direction.z, base, lid, leaving);
+        if (within.empty()) return {};
+        return Intervals<T>(ConeWall<T>(top).inside(ray, within, wall, leaving == wall));
+    }
+
+    [[nodiscard]] Vec3<T> normal(const Vec3<T>& p, int face) const {
+        if (face == base) return {T(0), T(0), T(-1)};
+        if (face == lid) return {T(0), T(0), T(1)};
+        const Vec3<T> n = ConeWall<T>(top).normal(p);
+        return length(n) > T(0) ? n : Vec3<T>{T(0), T(0), T(1)}; // the apex has no normal: the axis stands in
+    }
+    [[nodiscard]] T value(const Vec3<T>& p) const {
+        const ConeWall<T> w(top);
+        const T cosine = T(1) / std::sqrt(std::fma(w.slope, w.slope, T(1)));
+        return maximum((std::sqrt(std::fma(p.x, p.x, p.y * p.y)) - w.radius(p.z)) * cosine,
+                       magnitude(p.z) - T(1));
+    }
+    [[nodiscard]] T curvature(const Vec3<T>& p, const Vec3<T>& d, int face) const {
+        return face == wall ? ConeWall<T>(top).curvature(p, d) : T(0);
+    }
+    [[nodiscard]] Box<T> bounds() const { return {Vec3<T>{T(-1)}, Vec3<T>{T(1)}}; }
+};
+
+} // namespace rayscope

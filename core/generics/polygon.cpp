@@ -1,0 +1,66 @@
+#include "core/generics/polygon.hpp"
+
+namespace rayscope {
+
+template <Scalar T>
+Polygon<T>::Polygon(std::vector<Vec3<T>> vertices, std::vector<Vec3<T>> normals)
+    : vertices_(std::move(vertices)), normals_(std::move(normals)), normal_(normalized(area_vector(vertices_))) {}
+
+template <Scalar T> Intervals<T> Polygon<T>::intervals(const Ray<T>& ray, int leaving) const {
+    Intervals<T> found;
+    const T slope = dot(normal_, ray.direction);
+    if (slope == T(0) || leaving == 0) return found; // a line meets a plane once
+    const T t = dot(normal_, vertices_.front() - ray.origin) / slope;
+    if (std::isfinite(t) && encloses(ray)) found.append({t, t, 0, 0});
+    return found;
+}
+
+// The outline is sheared so that the ray becomes the z axis through the origin; then an even-odd count of edges
+// decides. Each edge's answer depends on its two ends alone and turns its sign with their order, so neighbours that
+// share an edge never both miss a ray between them (Woop, Benthin, Wald 2013).
+template <Scalar T> bool Polygon<T>::encloses(const Ray<T>& ray) const {
+    const Vec3<T> size = absolute(ray.direction);
+    const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    const int x = (z + 1) % 3, y = (z + 2) % 3;
+    const T shear_x = ray.direction[x] / ray.direction[z], shear_y = ray.direction[y] / ray.direction[z];
+    const auto sheared = [&](const Vec3<T>& vertex) {
+        const Vec3<T> v = vertex - ray.origin;
+        return std::pair{std::fma(-shear_x, v[z], v[x]), std::fma(-shear_y, v[z], v[y])};
+    };
+    bool inside = false;
+    auto a = sheared(vertices_.back());
+    for (const Vec3<T>& vertex : vertices_) {
+        const auto b = sheared(vertex);
+        if ((a.second > T(0)) != (b.second > T(0))) {
+            const T side = difference_of_products(a.first, b.second, b.first, a.second);
+            if (b.second > a.second ? side > T(0) : side < T(0)) inside = !inside;
+        }
+        a = b;
+    }
+    return inside;
+}
+
+template <Scalar T> Vec3<T> Polygon<T>::shading_normal(const Vec3<T>& p) const {
+    if (!smooth()) return normal_;
+    // In the fan from the first vertex, the triangle that holds p, by its barycentric coordinates.
+    for (std::size_t i = 1; i + 1 < vertices_.size(); ++i) {
+        const Vec3<T>&a = vertices_[0], &b = vertices_[i], &c = vertices_[i + 1];
+        const T whole = dot(normal_, cross(b - a, c - a));
+        const T u = dot(normal_, cross(p - a, c - a)) / whole;
+        const T v = dot(normal_, cross(b - a, p - a)) / whole;
+        const bool last = i + 2 == vertices_.size();
+        if (last || (u >= T(0) && v >= T(0) && u + v <= T(1)))
+            return (T(1) - u - v) * normals_[0] + u * normals_[i] + v * normals_[i + 1];
+    }
+    return normal_;
+}
+
+template <Scalar T> Box<T> Polygon<T>::bounds() const {
+    Box<T> box;
+    for (const Vec3<T>& vertex : vertices_) box.include(vertex);
+    return box;
+}
+
+template class Polygon<double>;
+
+} // namespace rayscope

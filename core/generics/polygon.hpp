@@ -1,0 +1,56 @@
+#pragma once
+// A flat polygon, possibly concave: a surface, not a solid. Face 0; its normal follows the order of its vertices,
+// counter-clockwise as seen from the side that it points to.
+
+#include "core/generics/spans.hpp"
+#include "core/math/box.hpp"
+#include "core/math/ray.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace rayscope {
+
+template <Scalar T> class Polygon {
+  public:
+    static constexpr const char* name = "polygon";
+    static constexpr bool solid = false;
+
+    Polygon() = default;
+    /// @param vertices at least three, flat, not all on one line
+    /// @param normals one for each vertex, for smooth shading; or none
+    explicit Polygon(std::vector<Vec3<T>> vertices, std::vector<Vec3<T>> normals = {});
+
+    /// One crossing without length, where the line meets the plane within the outline.
+    [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const;
+
+    [[nodiscard]] Vec3<T> normal(const Vec3<T>& /*p*/, int /*face*/) const { return normal_; }
+    /// Where the corners have normals: interpolated at p of the outline; elsewhere the polygon's own. Not unit.
+    [[nodiscard]] Vec3<T> shading_normal(const Vec3<T>& p) const;
+    /// Distance from the plane; never negative, since nothing is inside.
+    [[nodiscard]] T value(const Vec3<T>& p) const { return magnitude(dot(normal_, p - vertices_.front())); }
+    [[nodiscard]] T curvature(const Vec3<T>&, const Vec3<T>&, int /*face*/) const { return T(0); }
+    [[nodiscard]] Box<T> bounds() const;
+
+    [[nodiscard]] const std::vector<Vec3<T>>& vertices() const { return vertices_; }
+    [[nodiscard]] const std::vector<Vec3<T>>& normals() const { return normals_; }
+    [[nodiscard]] bool smooth() const { return !normals_.empty(); }
+
+  private:
+    [[nodiscard]] bool encloses(const Ray<T>& ray) const;
+
+    std::vector<Vec3<T>> vertices_, normals_;
+    Vec3<T> normal_{T(0), T(0), T(1)};
+};
+
+/// Twice the area vector of a polygon (Newell): its direction is the normal, zero for a degenerate outline.
+template <Scalar T> [[nodiscard]] Vec3<T> area_vector(const std::vector<Vec3<T>>& vertices) {
+    Vec3<T> sum{T(0)};
+    for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
+        sum += cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);
+    return sum;
+}
+
+extern template class Polygon<double>;
+
+} // namespace rayscope

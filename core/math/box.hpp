@@ -1,0 +1,51 @@
+#pragma once
+// The axis-aligned box: an extent.
+
+#include "core/math/vec.hpp"
+
+namespace rayscope {
+
+/// The points with low ≤ p ≤ high, component by component. May be unbounded; the default is empty.
+template <Scalar T> struct Box {
+    Vec3<T> low{infinity<T>};
+    Vec3<T> high{-infinity<T>};
+
+    [[nodiscard]] static Box everything() { return {Vec3<T>{-infinity<T>}, Vec3<T>{infinity<T>}}; }
+
+    void include(const Vec3<T>& p) {
+        for (int i = 0; i < 3; ++i) {
+            low[i] = minimum(low[i], p[i]);
+            high[i] = maximum(high[i], p[i]);
+        }
+    }
+    [[nodiscard]] bool overlaps(const Box& other) const {
+        for (int i = 0; i < 3; ++i)
+            if (!(low[i] <= other.high[i] && other.low[i] <= high[i])) return false;
+        return true;
+    }
+    [[nodiscard]] bool bounded() const {
+        for (int i = 0; i < 3; ++i)
+            if (!std::isfinite(low[i]) || !std::isfinite(high[i])) return false;
+        return true;
+    }
+};
+
+/// Smallest box around both.
+template <Scalar T> [[nodiscard]] Box<T> united(Box<T> a, const Box<T>& b) {
+    for (int i = 0; i < 3; ++i) {
+        a.low[i] = minimum(a.low[i], b.low[i]);
+        a.high[i] = maximum(a.high[i], b.high[i]);
+    }
+    return a;
+}
+
+/// What both share; empty if low > high somewhere.
+template <Scalar T> [[nodiscard]] Box<T> intersected(Box<T> a, const Box<T>& b) {
+    for (int i = 0; i < 3; ++i) {
+        a.low[i] = maximum(a.low[i], b.low[i]);
+        a.high[i] = minimum(a.high[i], b.high[i]);
+    }
+    return a;
+}
+
+} // namespace rayscope

@@ -1,0 +1,58 @@
+#pragma once
+// Vectors, matrices and colours: GLM's, with the few operations that must round in a known way.
+
+#include "core/math/scalar.hpp"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace rayscope {
+
+template <Scalar T> using Vec3 = glm::vec<3, T>;
+template <Scalar T> using Mat3 = glm::mat<3, 3, T>;
+template <Scalar T> using Mat4 = glm::mat<4, 4, T>;
+
+using Vec3d = Vec3<double>;
+using Mat4d = Mat4<double>;
+
+/// Linear RGB, unbounded.
+using Colour = Vec3d;
+
+/// a·b, fused from x to z: the same bits in every build.
+template <Scalar T> [[nodiscard]] inline T dot(const Vec3<T>& a, const Vec3<T>& b) {
+    return std::fma(a.z, b.z, std::fma(a.y, b.y, a.x * b.x));
+}
+
+/// a × b, each component within 2 ulp.
+template <Scalar T> [[nodiscard]] inline Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+    return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+            difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+template <Scalar T> [[nodiscard]] inline Vec3<T> absolute(const Vec3<T>& v) {
+    return {magnitude(v.x), magnitude(v.y), magnitude(v.z)};
+}
+
+template <Scalar T> [[nodiscard]] inline T largest_component(const Vec3<T>& v) {
+    return maximum(maximum(v.x, v.y), v.z);
+}
+
+/// |v|. Scaled by the largest component, so that neither 10⁻³⁰⁰ nor 10³⁰⁰ under- or overflows.
+template <Scalar T> [[nodiscard]] inline T length(const Vec3<T>& v) {
+    const T scale = largest_component(absolute(v));
+    if (!(scale > T(0)) || !(scale < infinity<T>)) return scale;
+    const Vec3<T> w = v / scale;
+    return scale * std::sqrt(dot(w, w));
+}
+
+/// v / |v|; the zero vector stays zero.
+template <Scalar T> [[nodiscard]] inline Vec3<T> normalized(const Vec3<T>& v) {
+    const T scale = largest_component(absolute(v));
+    if (!(scale > T(0))) return v;
+    const Vec3<T> w = v / scale;
+    return w / std::sqrt(dot(w, w));
+}
+
+} // namespace rayscope

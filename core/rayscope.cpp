@@ -1,0 +1,85 @@
+#include "core/rayscope.hpp"
+
+#include "core/files/atomic_file.hpp"
+#include "core/scene/build.hpp"
+#include "core/scene/name_trace.hpp"
+#include "core/scene/read_nff.hpp"
+#include "core/scene/read_toml.hpp"
+#include "core/world/inside_list.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace rayscope {
+namespace {
+
+Trace traced(const Workbench& bench, const Ray<double>& ray, TraceSource source) {
+    Recording recording = record(bench.world, ray);
+    Trace trace;
+    trace.source = std::move(source);
+    trace.source.scene = bench.scene.file;
+    trace.max_depth = bench.world.max_depth;
+    trace.min_weight = bench.world.min_weight;
+    trace.eye = bench.scene.camera.eye;
+    trace.rays = std::move(recording.rays);
+    trace.colour = recording.colour;
+    trace.events_dropped = recording.events_dropped;
+    name_trace(trace, bench.scene, bench.world);
+    return trace;
+}
+
+} // namespace
+
+Scene load_scene(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    if (extension == ".toml") return read_toml(path);
+    if (extension == ".nff") return read_nff(path);
+    throw InputError(path.string(), {}, "not a scene: its name must end in .toml or .nff");
+}
+
+Workbench make_workbench(Scene scene) {
+    World<double> world = build(scene);
+    return {std::move(scene), std::move(world)};
+}
+
+Workbench open(const std::filesystem::path& path) { return make_workbench(load_scene(path)); }
+
+RenderResult render(const Workbench& bench, const RenderOptions& options) {
+    return render(bench.world, bench.scene.camera, options);
+}
+
+Trace trace_pixel(const Workbench& bench, int x, int y, int width, int height) {
+    const Camera& camera = bench.scene.camera;
+    const EyeRays eye_rays(camera, width > 0 ? width : camera.width, height > 0 ? height : camera.height);
+    TraceSource source;
+    source.x = x;
+    source.y = y;
+    return traced(bench, eye_rays.through(x + 0.5, y + 0.5), std::move(source));
+}
+
+Trace trace_ray(const Workbench& bench, const Ray<double>& ray) {
+    TraceSource source;
+    source.by_hand = true;
+    source.given_length = length(ray.direction);
+    return traced(bench, ray, std::move(source));
+}
+
+std::vector<Spans<double>> spans(const Workbench& bench, const Ray<double>& ray) {
+    std::vector<Spans<double>> result;
+    Scratch<double> scratch;
+    for (std::uint32_t id = 0; id < bench.world.objects.size(); ++id) {
+        Spans<double>& list = result.emplace_back();
+        const auto found = crossings(bench.world, id, ray, nullptr, scratch);
+        const bool volume = bench.world.objects[id].has_volume;
+        for (std::size_t i = 0; i < found.size(); i += volume ? 2 : 1)
+            list.push_back({found[i], found[volume ? i + 1 : i]});
+    }
+    return result;
+}
+
+void write_trace(const Trace& trace, const std::filesystem::path& path) {
+    if (path.extension() != ".json")
+        throw InputError(path.string(), {}, "a trace is written as .json");
+    write_text_file(path, to_json(trace).dump(1) + "\n");
+}
+
+} // namespace rayscope

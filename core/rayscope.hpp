@@ -1,0 +1,50 @@
+#pragma once
+// The public face of rayscope: load a scene, render it, trace one ray with everything that it does, ask for spans.
+//
+//     const Workbench bench = open("chapters/02_csg/glass_bowl.toml");
+//     const Trace trace = trace_pixel(bench, 256, 200);
+//     write_trace(trace, "bowl.json");
+
+#include "core/files/atomic_file.hpp"
+#include "core/image/image.hpp"
+#include "core/image/srgb.hpp"
+#include "core/scene/expand.hpp"
+#include "core/scene/scene.hpp"
+#include "core/trace/trace.hpp"
+#include "core/trace/trace_json.hpp"
+#include "core/tracer/render.hpp"
+
+#include <filesystem>
+
+namespace rayscope {
+
+/// A scene and the world that the rays see. Movable, not copyable.
+struct Workbench {
+    Scene scene;
+    World<double> world;
+};
+
+/// Reads .toml or .nff, by extension. Throws InputError.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path);
+[[nodiscard]] Workbench open(const std::filesystem::path& path);
+
+/// From a scene that is at hand. Throws InputError where it can't be drawn.
+[[nodiscard]] Workbench make_workbench(Scene scene);
+
+/// The same bytes for any number of threads.
+[[nodiscard]] RenderResult render(const Workbench& bench, const RenderOptions& options = {});
+
+/// The sample of pixel (x, y), traced again with everything recorded: its colour is the image's, bit for bit.
+/// width × height: of the image that the pixel belongs to; 0: the scene's.
+[[nodiscard]] Trace trace_pixel(const Workbench& bench, int x, int y, int width = 0, int height = 0);
+
+/// A ray given by hand. Its direction need not be unit.
+[[nodiscard]] Trace trace_ray(const Workbench& bench, const Ray<double>& ray);
+
+/// The inside list of each object on a ray's whole line.
+[[nodiscard]] std::vector<Spans<double>> spans(const Workbench& bench, const Ray<double>& ray);
+
+/// By extension: .json. Complete or not at all.
+void write_trace(const Trace& trace, const std::filesystem::path& path);
+
+} // namespace rayscope

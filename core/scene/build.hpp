@@ -1,0 +1,12 @@
+#pragma once
+// From what the author wrote to what the tracer reads.
+
+#include "core/scene/scene.hpp"
+#include "core/world/world.hpp"
+
+namespace rayscope {
+
+/// Throws InputError where a drawn object has no material, or a compound grows too large or meets a singular matrix.
+[[nodiscard]] World<double> build(const Scene& scene);
+
+} // namespace rayscope

@@ -1,0 +1,105 @@
+#include "core/scene/nff_tokens.hpp"
+
+#include "core/scene/utf8.hpp"
+#include "core/scene/wording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace rayscope {
+namespace {
+
+// Products of a few numbers must stay within the range of a double.
+constexpr double largest = 1e150;
+
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+// std::from_chars takes no plus sign.
+std::string_view without_plus(std::string_view text) {
+    return text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
+}
+
+std::string shown(const NffToken& token) {
+    return token.text.empty() ? "the end of the file" : in_quotes(token.text);
+}
+
+} // namespace
+
+NffTokens::NffTokens(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {
+    advance();
+}
+
+NffToken NffTokens::take() {
+    const NffToken token = next_;
+    advance();
+    return token;
+}
+
+void NffTokens::advance() {
+    std::size_t i = 0;
+    for (bool in_comment = false; i < rest_.size(); ++i) {
+        const char c = rest_[i];
+        if (c == '\n') {
+            here_ = {here_.line + 1, 1};
+            in_comment = false;
+            continue;
+        }
+        in_comment = in_comment || c == '#';
+        if (!in_comment && !is_blank(c)) break;
+        here_.column += continues_character(c) ? 0 : 1;
+    }
+    rest_.remove_prefix(i);
+    std::size_t length = 0;
+    next_.place = here_;
+    for (; length < rest_.size() && !is_blank(rest_[length]) && rest_[length] != '#'; ++length)
+        here_.column += continues_character(rest_[length]) ? 0 : 1;
+    next_.text = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+}
+
+bool NffTokens::number_follows() const {
+    if (at_end()) return false;
+    const char c = next_.text.front();
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+}
+
+double NffTokens::number(std::string_view what) {
+    const std::string_view text = without_plus(next_.text);
+    double x = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    const bool whole = !text.empty() && end == text.data() + text.size();
+    // Too small for a double is zero enough; too large is caught with the infinities.
+    const bool tiny = error == std::errc::result_out_of_range && (text.find("e-") != std::string_view::npos ||
+                                                                  text.find("E-") != std::string_view::npos);
+    if (!whole || error == std::errc::invalid_argument || !(std::abs(x) <= largest) ||
+        (error == std::errc::result_out_of_range && !tiny))
+        fail(next_,
+             fmt::format("expected {}, a number of at most 1e150 in size, found {}", what, shown(next_)));
+    advance();
+    return x;
+}
+
+int NffTokens::integer(std::string_view what, int min, int max) {
+    const std::string_view text = without_plus(next_.text);
+    int x = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    if (text.empty() || error != std::errc{} || end != text.data() + text.size() || x < min || x > max)
+        fail(next_,
+             fmt::format("expected {}, an integer from {} to {}, found {}", what, min, max, shown(next_)));
+    advance();
+    return x;
+}
+
+Vec3d NffTokens::vector(std::string_view what) {
+    const double x = number(what), y = number(what), z = number(what);
+    return {x, y, z};
+}
+
+void NffTokens::fail(const NffToken& token, const std::string& message) const {
+    throw InputError(file_, token.place, message);
+}
+
+} // namespace rayscope

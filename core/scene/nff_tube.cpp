@@ -1,0 +1,47 @@
+#include "core/scene/nff_tube.hpp"
+
+#include "core/math/transform.hpp"
+
+#include <utility>
+
+namespace rayscope {
+namespace {
+
+// Radii that differ by less are the rounding of a cylinder's.
+constexpr double same_radius = 1e-12;
+
+// Some unit vector at right angles to the unit vector w: cross with the axis that lies farthest from it.
+Vec3d across(const Vec3d& w) {
+    const Vec3d a = absolute(w);
+    const Vec3d axis = a.x <= a.y && a.x <= a.z ? Vec3d{1, 0, 0}
+                       : a.y <= a.z             ? Vec3d{0, 1, 0}
+                                                : Vec3d{0, 0, 1};
+    return normalized(cross(axis, w));
+}
+
+} // namespace
+
+std::optional<PlacedTube> place_tube(TubeEnd base, TubeEnd apex) {
+    base.radius = magnitude(base.radius);
+    apex.radius = magnitude(apex.radius);
+    if (apex.radius > base.radius) std::swap(base, apex);
+    const Vec3d axis = apex.centre - base.centre;
+    if (length(axis) == 0 || base.radius == 0) return std::nullopt;
+
+    const Vec3d w = normalized(axis), u = across(w), v = cross(w, u);
+    const std::array<Vec3d, 4> columns{base.radius * u, base.radius * v, axis / 2.0,
+                                       base.centre + axis / 2.0};
+    PlacedTube tube;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) tube.matrix[column][row] = columns[std::size_t(column)][row];
+    if (!is_invertible(tube.matrix)) return std::nullopt;
+
+    const double top = apex.radius / base.radius;
+    if (1 - top <= same_radius)
+        tube.shape = OpenCylinder<double>{};
+    else
+        tube.shape = OpenCone<double>{top};
+    return tube;
+}
+
+} // namespace rayscope

@@ -1,0 +1,71 @@
+#include "core/scene/toml_sections.hpp"
+#include "core/scene/wording.hpp"
+
+#include <fmt/format.h>
+
+namespace rayscope {
+namespace {
+
+// Far beyond any medium, and close enough to 1 that ratios of two stay exact in their order.
+constexpr Bounds possible_speed{1e-6, 1e6};
+
+SceneMaterial read_material(const TomlEntry& entry) {
+    const TomlTable table = entry.value.table();
+    table.allow_only("a material", {"ambient", "diffuse", "specular", "shininess", "reflection",
+                                    "transmission", "speed", "index"});
+    SceneMaterial material;
+    material.name = entry.key;
+    material.place = entry.place;
+    const auto read = [&](std::string_view key, Colour& colour, const Bounds& bounds) {
+        if (const auto value = table.find(key)) colour = value->colour(bounds);
+    };
+    read("ambient", material.ambient, not_negative);
+    read("diffuse", material.diffuse, not_negative);
+    read("specular", material.specular, not_negative);
+    read("reflection", material.reflection, share);
+    read("transmission", material.transmission, share);
+    if (const auto shininess = table.find("shininess")) material.shininess = shininess->number(not_negative);
+    material.speed = read_speed(table).value_or(material.speed);
+
+    // 0.7 + 0.3 is no more than 1 for its author, whatever the last bit says.
+    const double sum = largest_component(material.reflection + material.transmission);
+    if (sum > 1 + 4 * epsilon<double>)
+        table.find("transmission")
+            ->fail(
+                fmt::format("reflection + transmission is {:.6g}, expected at most 1 in each colour", sum));
+    return material;
+}
+
+} // namespace
+
+std::size_t named(const SourceText& source, Place place, std::string_view name, std::string_view kind,
+                  const NameIndex& index) {
+    if (const auto found = index.find(name); found != index.end()) return found->second;
+    std::vector<std::string_view> names;
+    names.reserve(index.size());
+    for (const auto& known : index) names.push_back(known.first);
+    source.fail(place, fmt::format("unknown {} {}{}", kind, in_quotes(name), did_you_mean(name, names)));
+}
+
+std::size_t named(const TomlValue& value, std::string_view kind, const NameIndex& index) {
+    return named(value.source(), value.place(), value.string(), kind, index);
+}
+
+std::optional<double> read_speed(const TomlTable& table) {
+    table.allow_one("speed", "index");
+    if (const auto speed = table.find("speed")) return speed->number(possible_speed);
+    if (const auto index = table.find("index")) return 1 / index->number(possible_speed);
+    return std::nullopt;
+}
+
+NameIndex read_materials(const TomlTable& root, Scene& scene) {
+    NameIndex index;
+    if (const auto section = root.find("materials"))
+        for (const TomlEntry& entry : section->table().named_entries("a material")) {
+            index.emplace(entry.key, scene.materials.size());
+            scene.materials.push_back(read_material(entry));
+        }
+    return index;
+}
+
+} // namespace rayscope

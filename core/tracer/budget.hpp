@@ -1,0 +1,36 @@
+#pragma once
+// When the recursion ends.
+
+#include "core/trace/events.hpp"
+
+#include <optional>
+
+namespace rayscope {
+
+/// Where a ray stands in the recursion.
+struct Budget {
+    int depth = 0;
+    Colour weight{1}; ///< share of the pixel, per colour: the product of the coefficients on the way
+    std::int64_t medium = -1; ///< that it travels in, for the record alone: shading reads the media at each boundary
+
+    [[nodiscard]] Budget after(const Colour& coefficient, std::int64_t next_medium = -1) const {
+        return {depth + 1, weight * coefficient, next_medium};
+    }
+};
+
+/// Both limits are needed: a weight never ends perfect mirrors, a depth alone follows rays that nobody would see.
+struct RecursionLimits {
+    int max_depth;
+    double min_weight;
+
+    /// Why a ray is not spawned, or nothing: it is, if depth < max_depth and its own weight is > 0 and ≥ min_weight.
+    [[nodiscard]] std::optional<Reason> refusal(const Budget& parent, const Colour& coefficient) const {
+        if (!(largest_component(coefficient) > 0)) return Reason::coefficient_zero;
+        if (parent.depth >= max_depth) return Reason::depth;
+        const double weight = largest_component(parent.after(coefficient).weight);
+        if (!(weight > 0) || weight < min_weight) return Reason::weight;
+        return std::nullopt;
+    }
+};
+
+} // namespace rayscope

@@ -1,0 +1,45 @@
+#pragma once
+// A whole image.
+
+#include "core/image/image.hpp"
+#include "core/trace/trace.hpp"
+#include "core/world/camera.hpp"
+#include "core/world/counters.hpp"
+#include "core/world/world.hpp"
+
+#include <atomic>
+#include <functional>
+
+namespace rayscope {
+
+struct RenderOptions {
+    int width = 0, height = 0;               ///< 0: the camera's
+    int threads = 0;                         ///< 0: one for each processor
+    std::function<void(double)> progress;    ///< called with 0 … 1, by one thread at a time
+    const std::atomic<bool>* stop = nullptr; ///< set to true from outside: the render ends soon, incomplete
+};
+
+/// What a render did, and how long it took.
+struct RenderStatistics {
+    Counters counters;
+    double cpu_seconds = 0, wall_seconds = 0; ///< of tracing alone
+};
+
+struct RenderResult {
+    Image image;
+    RenderStatistics statistics;
+    bool complete = true;
+};
+
+/// One sample in the middle of each pixel. The same bytes for any number of threads.
+[[nodiscard]] RenderResult render(const World<double>& world, const Camera& camera, const RenderOptions& options);
+
+/// One ray with everything that it does; object, medium and solid ids are the world's.
+struct Recording {
+    std::vector<TracedRay> rays;
+    Colour colour{0};
+    std::size_t events_dropped = 0;
+};
+[[nodiscard]] Recording record(const World<double>& world, const Ray<double>& ray);
+
+} // namespace rayscope

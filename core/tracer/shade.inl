@@ -1,0 +1,169 @@
+#pragma once
+// The tracer's steps, in the order in which light is gathered: what is hit, what lights it, what it mirrors, what it
+// lets through.
+
+#include "core/tracer/tracer.hpp"
+
+namespace rayscope {
+
+template <Scalar T, typename Stage, typename Recorder>
+Colour Tracer<T, Stage, Recorder>::trace(const Ray<T>& ray) {
+    rays_left_ = world_.max_rays;
+    const Leaving<T> nothing;
+    Budget budget;
+    ++work_.counters.rays[std::size_t(RayKind::eye)];
+    if constexpr (Recorder::enabled) {
+        budget.medium = medium_at_start(world_, ray, work_);
+        recorder_.record(spawned(RayKind::eye, ray, nothing, budget));
+    }
+    return shade(ray, nothing, budget);
+}
+
+template <Scalar T, typename Stage, typename Recorder>
+Colour Tracer<T, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& leaving, const Budget& budget) {
+    const std::uint64_t before = work_.counters.objects;
+    const auto hit = stage_.closest(ray, Range<T>{}, leaving, work_, recorder_);
+    const int tested = int(work_.counters.objects - before);
+    if (!hit) {
+        if constexpr (Recorder::enabled) {
+            recorder_.record(Missed{world_.background});
+            recorder_.record(RayFinished{world_.background, world_.background, tested});
+        }
+        return world_.background;
+    }
+    const Interaction<T> at = interact(world_, ray, *hit, leaving, budget.medium, work_);
+    if constexpr (Recorder::enabled) recorder_.record(boundary_chosen(at));
+
+    const Colour local = local_light(at, budget);
+    Colour colour = local;
+    if (!at.material->transmits()) {
+        colour += mirrored_light(at, at.material->reflection, budget);
+        refuse(RayKind::refracted, Reason::coefficient_zero, at.material->transmission, budget);
+    } else if (const auto bent = refract(at.incoming, at.facing, at.speed_from, at.speed_to); bent.total()) {
+        // What can't get through is mirrored as well: one ray carries both shares.
+        const Colour both = at.material->reflection + at.material->transmission;
+        ++work_.counters.total_reflections;
+        if constexpr (Recorder::enabled)
+            recorder_.record(TotallyReflected{both, bent.theta_from(),
+                                              critical_angle(at.speed_from, at.speed_to).value_or(not_a_number),
+                                              bent.eta});
+        colour += mirrored_light(at, both, budget);
+    } else {
+        colour += mirrored_light(at, at.material->reflection, budget);
+        colour += transmitted_light(at, bent, budget);
+    }
+    if constexpr (Recorder::enabled) recorder_.record(RayFinished{local, colour, tested});
+    return colour;
+}
+
+template <Scalar T, typename Stage, typename Recorder>
+Colour Tracer<T, Stage, Recorder>::local_light(const Interaction<T>& at, const Budget& budget) {
+    if (at.leaves_transmitting_solid) {
+        if constexpr (Recorder::enabled) recorder_.record(LocalLightSkipped{});
+        return Colour{0};
+    }
+    if constexpr (Recorder::enabled) recorder_.record(AmbientLit{world_.ambient, at.wall->ambient});
+    Colour colour = world_.ambient * at.wall->ambient;
+    for (Id light = 0; light < Id(world_.lights.size()); ++light) colour += light_from(light, at, budget);
+    return colour;
+}
+
+template <Scalar T, typename Stage, typename Recorder>
+Colour Tracer<T, Stage, Recorder>::light_from(Id id, const Interaction<T>& at, const Budget& budget) {
+    const Light& light = world_.lights[std::size_t(id)];
+    const Vec3<T> offset = light.directional ? Vec3<T>(light.position) : Vec3<T>(light.position) - at.point;
+    const Vec3<T> to_light = normalized(offset);
+    const double cosine = dot(at.facing, to_light);
+    const double mirror = mirror_cosine(to_light, at.facing, at.incoming);
+    const Colour diffuse = at.wall->diffuse * diffuse_share(cosine);
+    const Colour specular = at.wall->specular * specular_share(cosine, mirror, at.wall->shininess);
+    // A light behind the surface, or one that the material ignores, needs no shadow ray.
+    Colour seen{1};
+    if (light.shadows && largest_component(diffuse + specular) > 0)
+        seen = visibility(id, to_light, light.directional ? infinity<T> : length(offset), at, budget);
+    const Colour arriving = light.colour * seen;
+    if constexpr (Recorder::enabled)
+        recorder_.record(LightLit{id, to_light, cosine, mirror, at.wall->shininess, light.colour, seen,
+                                  at.wall->diffuse, at.wall->specular, diffuse * arriving, specular * arriving});
+    return diffuse * arriving + specular * arriving;
+}
+
+template <Scalar T, typename Stage, typename Recorder>
+Colour Tracer<T, Stage, Recorder>::visibility(Id light, const Vec3<T>& to_light, T distance,
+                                              const Interaction<T>& at, const Budget& budget) {
+    const Ray<T> ray{at.point, to_light};
+    ++work_.counters.rays[std::size_t(RayKind::shadow)];
+    if constexpr (Recorder::enabled)
+        recorder_.record(spawned(RayKind::shadow, ray, at.back, budget, distance, light));
+    const std::uint64_t before = work_.counters.objects;
+    const bool dark = stage_.blocked(ray, Range<T>{T(0), distance}, at.back, work_, recorder_);
+    Colour seen{dark ? 0.0 : 1.0};
+    if (!dark) {
+        for (const Blocker<T>& blocker : work_.blockers) {
+            const Colour& transmission = world_.material_of(blocker.object).transmission;
+            if constexpr (Recorder::enabled)
+                recorder_.record(BlockerPassed{Id(blocker.object), blocker.t, transmission});
+            seen *= transmission;
+        }
+    }
+    if constexpr (Recorder::enabled)
+        recorder_.record(RayFinished{seen, seen, int(work_.counters.objects - before)});
+    return seen;
+}
+
+template <Scalar T, typename Stage, typename Recorder>
+Colour Tracer<T, Stage, Recorder>::mirrored_light(const Interaction<T>& at, const Colour& coefficient,
+                                                  const Budget& budget) {
+    if (const auto reason = limits_.refusal(budget, coefficient)) {
+        refuse(RayKind::reflected, *reason, coefficient, budget);
+        return Colour{0};
+    }
+    const Vec3<T> direction = mirrored(at.incoming, at.facing);
+    if constexpr (Recorder::enabled)
+        recorder_.record(Reflected{
+            coefficient, std::atan2(length(cross(at.incoming, at.facing)), -dot(at.incoming, at.facing)), direction});
+    return follow({RayKind::reflected, coefficient, direction, at.back, at.media.from}, at, budget);
+}
+
+template <Scalar T, typename Stage, typename Recorder>
+Colour Tracer<T, Stage, Recorder>::transmitted_light(const Interaction<T>& at, const Refraction<T>& bent,
+                                                     const Budget& budget) {
+    const Colour& transmission = at.material->transmission;
+    if (const auto reason = limits_.refusal(budget, transmission)) {
+        refuse(RayKind::refracted, *reason, transmission, budget);
+        return Colour{0};
+    }
+    if constexpr (Recorder::enabled)
+        recorder_.record(Refracted{transmission, bent.theta_from(), bent.theta_to(),
+                                   critical_angle(at.speed_from, at.speed_to).value_or(not_a_number), bent.eta,
+                                   bent.direction});
+    return follow({RayKind::refracted, transmission, bent.direction, at.through, at.media.to}, at, budget);
+}
+
+template <Scalar T, typename Stage, typename Recorder>
+Colour Tracer<T, Stage, Recorder>::follow(const Continuation& next, const Interaction<T>& at,
+                                          const Budget& budget) {
+    if (rays_left_ == 0) {
+        refuse(next.kind, Reason::ray_limit, next.coefficient, budget);
+        return Colour{0};
+    }
+    --rays_left_;
+    ++work_.counters.rays[std::size_t(next.kind)];
+    const Ray<T> ray{at.point, next.direction};
+    const Budget after = budget.after(next.coefficient, next.medium);
+    if constexpr (Recorder::enabled) recorder_.record(spawned(next.kind, ray, next.leaving, after));
+    return next.coefficient * shade(ray, next.leaving, after);
+}
+
+template <Scalar T, typename Stage, typename Recorder>
+void Tracer<T, Stage, Recorder>::refuse(RayKind kind, Reason reason, const Colour& coefficient,
+                                        const Budget& budget) {
+    if (reason == Reason::depth) ++work_.counters.cut_by_depth;
+    if (reason == Reason::weight) ++work_.counters.cut_by_weight;
+    if (reason == Reason::ray_limit) ++work_.counters.cut_by_ray_limit;
+    if constexpr (Recorder::enabled)
+        recorder_.record(NotSpawned{kind, reason, largest_component(coefficient),
+                                    largest_component(budget.weight * coefficient)});
+}
+
+} // namespace rayscope

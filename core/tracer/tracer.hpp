@@ -1,0 +1,54 @@
+#pragma once
+// The recursion.
+
+#include "core/reflection/mirror.hpp"
+#include "core/refraction/snell.hpp"
+#include "core/shading/phong.hpp"
+#include "core/tracer/budget.hpp"
+#include "core/tracer/interaction.hpp"
+#include "core/tracer/recording.hpp"
+
+namespace rayscope {
+
+/// Follows rays through a world. One tracer serves one thread.
+template <Scalar T, typename Stage, typename Recorder> class Tracer {
+  public:
+    Tracer(const World<T>& world, const Stage& stage, Work<T>& work, Recorder& recorder)
+        : world_(world), stage_(stage), work_(work), recorder_(recorder),
+          limits_{world.max_depth, world.min_weight} {}
+
+    /// The light that comes back along an eye ray, linear RGB.
+    [[nodiscard]] Colour trace(const Ray<T>& ray);
+
+  private:
+    /// A ray that the material asks for.
+    struct Continuation {
+        RayKind kind;
+        Colour coefficient;
+        Vec3<T> direction;
+        const Leaving<T>& leaving;
+        std::int64_t medium;
+    };
+
+    [[nodiscard]] Colour shade(const Ray<T>& ray, const Leaving<T>& leaving, const Budget& budget);
+    [[nodiscard]] Colour local_light(const Interaction<T>& at, const Budget& budget);
+    [[nodiscard]] Colour light_from(Id light, const Interaction<T>& at, const Budget& budget);
+    [[nodiscard]] Colour visibility(Id light, const Vec3<T>& to_light, T distance, const Interaction<T>& at,
+                                    const Budget& budget);
+    [[nodiscard]] Colour mirrored_light(const Interaction<T>& at, const Colour& coefficient, const Budget& budget);
+    [[nodiscard]] Colour transmitted_light(const Interaction<T>& at, const Refraction<T>& bent,
+                                           const Budget& budget);
+    [[nodiscard]] Colour follow(const Continuation& next, const Interaction<T>& at, const Budget& budget);
+    void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
+
+    const World<T>& world_;
+    const Stage& stage_;
+    Work<T>& work_;
+    Recorder& recorder_;
+    RecursionLimits limits_;
+    int rays_left_ = 0;
+};
+
+} // namespace rayscope
+
+#include "core/tracer/shade.inl"

@@ -1,0 +1,27 @@
+#pragma once
+// Where eye rays come from.
+
+#include "core/math/ray.hpp"
+
+namespace rayscope {
+
+struct Camera {
+    Vec3d eye{0, 0, 5}, look_at{0}, up{0, 1, 0};
+    double field_of_view = 45; ///< degrees, vertical, from edge to edge
+    int width = 512, height = 512;
+};
+
+/// The eye rays of an image of width × height pixels: unit directions, pixel (0, 0) top left.
+class EyeRays {
+  public:
+    EyeRays(const Camera& camera, int width, int height);
+
+    /// Through the point (x, y) in pixels; the middle of pixel (i, j) is (i + ½, j + ½).
+    [[nodiscard]] Ray<double> through(double x, double y) const;
+
+  private:
+    Vec3d eye_, forward_, right_, down_; // right_ and down_ are one pixel long, at distance 1
+    double centre_x_, centre_y_;
+};
+
+} // namespace rayscope

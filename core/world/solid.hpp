@@ -1,0 +1,67 @@
+#pragma once
+// A generic shape at its place in the world.
+
+#include "core/generics/generic.hpp"
+#include "core/math/transform.hpp"
+
+namespace rayscope {
+
+template <Scalar T> struct Solid {
+    Generic<T> shape;
+    Transform<T> transform;
+    std::uint32_t object = 0;   ///< index into World::objects
+    std::uint32_t material = 0; ///< local light of its walls: index into World::materials
+    bool is_ball = false;       ///< a sphere in world space: its transform is a translation, its radius the world's
+
+    /// The inside list on a world ray's whole line: the ray is moved, t is the same in both spaces.
+    /// @param leaving the face on which the ray starts: its crossing is then t = 0 exactly; or no_face
+    [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const {
+        const Ray<T> moved = transform.to_object(ray);
+        return std::visit([&](const auto& s) { return s.intervals(moved, leaving); }, shape);
+    }
+
+    /// Unit outward world normal of a face where a ray crosses it.
+    [[nodiscard]] Vec3<T> normal(const Ray<T>& ray, T t, int face) const {
+        const Vec3<T> p = transform.to_object(ray).at(t);
+        return transform.normal_to_world(std::visit([&](const auto& s) { return s.normal(p, face); }, shape));
+    }
+
+    /// Bound on |t − exact t| of a crossing, first order in ε with the second order where a ray grazes.
+    /// If rounding moves the object-space point by e = 4ε(|M⁻¹||o − T| + |t||M⁻¹||d|), the surface's function moves by
+    /// δ = n·e for its unit normal n, and its root on a line with slope s = n·d′ and curvature h by δ / s, or by
+    /// √(2δ / h) where s → 0 (see `root_shift`).
+    [[nodiscard]] T error_bound(const Ray<T>& ray, T t, int face) const;
+
+    /// Size of δ above: how far, in object space along the normal, the computed crossing can lie from the surface.
+    [[nodiscard]] T surface_distance(const Ray<T>& ray, T t, const Vec3<T>& unit_normal) const {
+        const Vec3<T> e = transform.point_error(ray, t);
+        const Vec3<T> n = absolute(unit_normal);
+        return T(4) * epsilon<T> * dot(n, e);
+    }
+};
+
+/// How far the root of s t + h t² / 2 moves at most when the function moves by ±delta.
+template <Scalar T> [[nodiscard]] T root_shift(T delta, T slope, T curvature) {
+    slope = magnitude(slope);
+    if (!(curvature > T(0))) return delta / slope;
+    const T half_chord = slope / curvature;
+    const T change = T(2) * delta / curvature; // of the squared half chord
+    const T squared = half_chord * half_chord;
+    if (squared < change) return std::sqrt(change);
+    return change / (half_chord + std::sqrt(squared - change));
+}
+
+template <Scalar T> T Solid<T>::error_bound(const Ray<T>& ray, T t, int face) const {
+    if (!std::isfinite(t)) return T(0);
+    const Ray<T> moved = transform.to_object(ray);
+    const Vec3<T> p = moved.at(t);
+    return std::visit(
+        [&](const auto& s) {
+            const Vec3<T> n = normalized(s.normal(p, face));
+            return root_shift(surface_distance(ray, t, n), dot(n, moved.direction),
+                              s.curvature(p, moved.direction, face));
+        },
+        shape);
+}
+
+} // namespace rayscope

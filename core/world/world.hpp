@@ -1,0 +1,66 @@
+#pragma once
+// What the tracer reads: flat arrays of values, names gone, indices instead of pointers.
+
+#include "core/csg/program.hpp"
+#include "core/math/box.hpp"
+#include "core/world/media.hpp"
+#include "core/world/solid.hpp"
+
+namespace rayscope {
+
+struct Material {
+    Colour ambient{0}, diffuse{0}, specular{0};
+    double shininess = 1;
+    Colour reflection{0}, transmission{0};
+    double speed = 1; ///< of light inside; air 1
+
+    [[nodiscard]] bool transmits() const { return largest_component(transmission) > 0; }
+    [[nodiscard]] bool reflects() const { return largest_component(reflection) > 0; }
+};
+
+struct Light {
+    bool directional = false;
+    Vec3d position{0}; ///< or the unit direction towards a directional light
+    Colour colour{1};
+    bool shadows = true;
+};
+
+struct Compound {
+    std::vector<CompoundNode> nodes; ///< the author's tree in postfix order
+    Program program;                 ///< the same, regrouped
+};
+
+/// What a ray can hit: a solid, or a compound of solids. Its index is its id, in the order of the file.
+struct Object {
+    bool is_compound = false;
+    std::uint32_t index = 0;    ///< into solids or compounds
+    std::uint32_t material = 0; ///< reflection, transmission and speed
+    std::int32_t priority = 0;  ///< of its medium, where media overlap
+    bool has_volume = true;     ///< false for polygons and open walls
+    Box<double> bounds;         ///< rounded outward
+};
+
+template <Scalar T> struct World {
+    std::vector<Solid<T>> solids;
+    std::vector<Compound> compounds;
+    std::vector<Object> objects;
+    std::vector<Material> materials;
+    std::vector<Light> lights;
+    MediaNeighbours media;
+
+    Colour background{0}, ambient{1};
+    bool notes_media = false;
+    double medium_speed = 1; ///< between the solids
+    int max_depth = 8;
+    double min_weight = 0.001;
+    int max_rays = 100000;
+
+    /// A plain solid that is a sphere at its place in world space.
+    [[nodiscard]] bool is_ball(const Object& object) const {
+        return !object.is_compound && solids[object.index].is_ball;
+    }
+    [[nodiscard]] const Material& material_of(const Object& object) const { return materials[object.material]; }
+    [[nodiscard]] const Material& material_of(std::uint32_t object) const { return material_of(objects[object]); }
+};
+
+} // namespace rayscope

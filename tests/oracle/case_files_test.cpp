@@ -1,0 +1,143 @@
+// No case is lost on the way: files, counts, kinds.
+
+#include "tests/oracle/case_files.hpp"
+#include "tests/oracle/line_checks.hpp"
+#include "tests/oracle/refraction_checks.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace rayscope::test {
+namespace {
+
+struct Count {
+    std::string kind;
+    std::size_t cases = 0;
+
+    friend bool operator==(const Count&, const Count&) = default;
+    friend std::ostream& operator<<(std::ostream& out, const Count& count) {
+        return out << count.cases << " of kind " << count.kind;
+    }
+};
+
+using Counts = std::map<std::string, Count>;
+
+std::size_t lines_of(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::string line;
+    std::size_t count = 0;
+    while (std::getline(file, line)) ++count;
+    return count;
+}
+
+Counts counted(const std::filesystem::path& folder) {
+    Counts counts;
+    for (const CaseFile& file : case_files(folder))
+        counts[file.family] = {file.kind, lines_of(folder / (file.family + ".jsonl"))};
+    return counts;
+}
+
+// COUNTS.tsv: a heading, family, kind, cases, undecidable, and a last line with the total.
+Counts stated(const std::filesystem::path& folder) {
+    std::ifstream file(folder / "COUNTS.tsv");
+    std::string line;
+    std::getline(file, line);
+    Counts counts;
+    while (std::getline(file, line)) {
+        std::istringstream columns(line);
+        std::string family;
+        Count count;
+        std::getline(columns, family, '\t');
+        std::getline(columns, count.kind, '\t');
+        columns >> count.cases;
+        counts[family] = count;
+    }
+    return counts;
+}
+
+std::size_t total(const Counts& counts) {
+    std::size_t sum = 0;
+    for (const auto& [family, count] : counts) sum += count.cases;
+    return sum;
+}
+
+TEST(CaseFiles, ShippedOnesAreComplete) {
+    Counts expected = stated(shipped_cases());
+    ASSERT_TRUE(expected.contains("TOTAL"));
+    EXPECT_EQ(expected["TOTAL"].cases, 2327U);
+    expected.erase("TOTAL");
+    EXPECT_EQ(expected.size(), 64U);
+    EXPECT_EQ(total(expected), 2327U);
+    EXPECT_THAT(counted(shipped_cases()), testing::ContainerEq(expected));
+}
+
+TEST(CaseFiles, ChosenFolderHoldsCases) {
+    EXPECT_FALSE(case_files(chosen_cases()).empty())
+        << "no case files (*.jsonl) in " << chosen_cases() << ", which RAYSCOPE_ORACLE names";
+    if (std::filesystem::exists(chosen_cases() / "COUNTS.tsv")) {
+        Counts expected = stated(chosen_cases());
+        expected.erase("TOTAL");
+        EXPECT_THAT(counted(chosen_cases()), testing::ContainerEq(expected));
+    }
+}
+
+TEST(CaseFiles, EveryFileIsOfAKnownKind) {
+    for (const CaseFile& file : case_files(chosen_cases()))
+        EXPECT_THAT((std::vector<std::string>{"hit", "csg", "refr", "tri", "oct", "cavity"}),
+                    testing::Contains(file.kind))
+            << "in family " << file.family;
+}
+
+TEST(CaseFiles, AFolderThatIsNotThereHoldsNothing) {
+    EXPECT_TRUE(case_files(shipped_cases() / "no such folder").empty());
+}
+
+TEST(CaseFiles, ABrokenLineIsNamed) {
+    const auto path = std::filesystem::path(testing::TempDir()) / "broken.jsonl";
+    std::ofstream(path) << "{\"id\": 1}\n";
+    try {
+        (void)read_line_cases(path);
+        FAIL() << "a broken case was read";
+    } catch (const std::exception& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("broken.jsonl:1: "));
+    }
+    EXPECT_THROW((void)read_line_cases(path.string() + ".missing"), std::runtime_error);
+    std::filesystem::remove(path);
+}
+
+// Tests are registered for the families of the source tree, when they are built. Others are run here.
+TEST(CaseFiles, FamiliesThatAreNotShipped) {
+    const auto shipped = case_files(shipped_cases());
+    std::size_t families = 0;
+    for (const CaseFile& file : case_files(chosen_cases())) {
+        if (std::ranges::find(shipped, file.family, &CaseFile::family) != shipped.end()) continue;
+        SCOPED_TRACE(file.family);
+        const auto path = chosen_cases() / (file.family + ".jsonl");
+        ++families;
+        if (file.kind == "refr") expect_refraction(read_refraction_cases(path));
+        if (file.kind != "hit" && file.kind != "csg") continue;
+        const auto cases = read_line_cases(path);
+        expect_spans(cases);
+        expect_surfaces_and_normals(cases);
+        expect_first_hits(cases);
+        expect_error_bounds(cases);
+        expect_identities(cases);
+    }
+    RecordProperty("families", std::to_string(families));
+}
+
+// Kinds whose subject the core does not have.
+TEST(CaseFiles, KindsWithoutATest) {
+    std::string skipped;
+    for (const auto& [family, count] : counted(chosen_cases()))
+        if (count.kind == "tri" || count.kind == "oct" || count.kind == "cavity")
+            skipped += "\n  " + family + ": " + std::to_string(count.cases) + " cases of kind " + count.kind;
+    if (!skipped.empty()) GTEST_SKIP() << "not run:" << skipped;
+}
+
+} // namespace
+} // namespace rayscope::test

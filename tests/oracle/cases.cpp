@@ -1,0 +1,187 @@
+#include "tests/oracle/cases.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+namespace rayscope::test {
+namespace {
+
+using Json = nlohmann::json;
+
+double from_hex(const Json& json) {
+    const auto& text = json.get_ref<const std::string&>();
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0') throw std::runtime_error("not a hex float: \"" + text + '"');
+    return value;
+}
+
+// A JSON number, or "inf" for what JSON lacks.
+double number(const Json& json) { return json.is_string() ? from_hex(json) : json.get<double>(); }
+
+Vec3d vector_from_hex(const Json& json) {
+    return {from_hex(json.at(0)), from_hex(json.at(1)), from_hex(json.at(2))};
+}
+
+Vec3d vector_from_numbers(const Json& json) {
+    return {number(json.at(0)), number(json.at(1)), number(json.at(2))};
+}
+
+Mat4d matrix_from_hex(const Json& json) {
+    Mat4d matrix;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            matrix[column][row] = from_hex(json.at(static_cast<std::size_t>(4 * row + column)));
+    return matrix;
+}
+
+Generic<double> shape_from(const Json& json) {
+    const auto& type = json.at("type").get_ref<const std::string&>();
+    if (type == "sphere") return Sphere<double>{};
+    if (type == "plane") return Plane<double>{};
+    if (type == "cylinder") return Cylinder<double>{};
+    if (type == "cone") return Cone<double>{};
+    if (type == "cube") return Cube<double>{};
+    if (type == "torus") return Torus<double>{from_hex(json.at("r_hex"))};
+    throw std::runtime_error("unknown shape \"" + type + '"');
+}
+
+CaseLeaf leaf_from(const Json& json) {
+    return {shape_from(json.at("shape")), matrix_from_hex(json.at("M_hex"))};
+}
+
+CaseToken token_from(const Json& json) {
+    if (json.is_number()) return {Operation::leaf, json.get<std::size_t>()};
+    const auto& symbol = json.get_ref<const std::string&>();
+    if (symbol == "|") return {Operation::set_union};
+    if (symbol == "&") return {Operation::intersection};
+    if (symbol == "-") return {Operation::difference};
+    if (symbol == "~") return {Operation::complement};
+    throw std::runtime_error("unknown operation \"" + symbol + '"');
+}
+
+// What hits and bounds of compounds share.
+ExactBound bound_from(const Json& json) {
+    ExactBound bound;
+    bound.t = {from_hex(json.at("t_hex")), from_hex(json.at("t_lo_hex"))};
+    bound.touch = json.at("event") == "touch";
+    bound.tolerance = number(json.at("tol64"));
+    bound.tight_tolerance = number(json.at("tol64_tight"));
+    bound.tight_condition = number(json.at("cond_tight"));
+    return bound;
+}
+
+ExactBound hit_from(const Json& json) {
+    ExactBound bound = bound_from(json);
+    bound.normal_tolerance = number(json.at("ntol64"));
+    const Json& normals = json.at("normals");
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        ExactSurface surface;
+        surface.face = json.at("face").at(i).get<std::string>();
+        if (!normals[i].is_null()) surface.normal = vector_from_hex(normals[i].at("n_hex"));
+        bound.surfaces.push_back(surface);
+    }
+    return bound;
+}
+
+ExactBound compound_bound_from(const Json& json) {
+    ExactBound bound = bound_from(json);
+    for (const Json& item : json.at("surfaces")) {
+        ExactSurface surface{item.at("leaf").get<std::size_t>(),
+                             item.at("face").get<std::string>(),
+                             item.at("flip").get<bool>(),
+                             {}};
+        if (!item.at("n").is_null()) surface.normal = vector_from_numbers(item.at("n"));
+        bound.surfaces.push_back(surface);
+    }
+    return bound;
+}
+
+std::vector<ExactSpan> spans_from(const Json& json, std::size_t bounds) {
+    const auto end = [&](const Json& index) -> std::optional<std::size_t> {
+        if (index.is_null()) return std::nullopt;
+        const auto i = index.get<std::size_t>();
+        if (i >= bounds) throw std::runtime_error("an interval names bound " + std::to_string(i));
+        return i;
+    };
+    std::vector<ExactSpan> spans;
+    for (const Json& pair : json) {
+        const ExactSpan span{end(pair.at(0)), end(pair.at(1))};
+        const bool point = span.enter && span.enter == span.exit;
+        if (!point) spans.push_back(span);
+    }
+    return spans;
+}
+
+LineCase line_case_from(const Json& json) {
+    LineCase result;
+    result.id = json.at("id").get<std::string>();
+    result.is_compound = json.at("kind") == "csg";
+    result.ray = {vector_from_hex(json.at("o_hex")), vector_from_hex(json.at("d_hex"))};
+    result.decidable = json.at("decidable").get<bool>();
+    result.in_surface = json.at("in_surface").get<bool>();
+    if (result.is_compound) {
+        for (const Json& leaf : json.at("leaves")) result.leaves.push_back(leaf_from(leaf));
+        for (const Json& token : json.at("rpn")) result.program.push_back(token_from(token));
+        for (const Json& bound : json.at("bounds")) result.bounds.push_back(compound_bound_from(bound));
+        result.clean_decidable = json.at("clean_decidable").get<bool>();
+        result.clean_spans = spans_from(json.at("intervals_clean"), result.bounds.size());
+        result.tolerance_sum = number(json.at("sum_tol64"));
+    } else {
+        result.leaves.push_back(leaf_from(json));
+        result.program.emplace_back();
+        for (const Json& hit : json.at("hits")) result.bounds.push_back(hit_from(hit));
+        for (const ExactBound& bound : result.bounds) result.tolerance_sum += bound.tolerance;
+    }
+    result.spans = spans_from(json.at("intervals"), result.bounds.size());
+    return result;
+}
+
+RefractionCase refraction_case_from(const Json& json) {
+    RefractionCase result;
+    result.id = json.at("id").get<std::string>();
+    result.direction = vector_from_hex(json.at("d_hex"));
+    result.normal = vector_from_hex(json.at("n_hex"));
+    result.speed_from = from_hex(json.at("c1_hex"));
+    result.speed_to = from_hex(json.at("c2_hex"));
+    result.total = json.at("tir").get<bool>();
+    result.decidable = json.at("decidable").get<bool>();
+    result.reflected = vector_from_hex(json.at("reflect_hex"));
+    if (!json.at("refract").is_null()) {
+        result.refracted = vector_from_hex(json.at("refract_hex"));
+        result.tolerance = number(json.at("refract_tol64"));
+    }
+    return result;
+}
+
+template <typename Case>
+std::vector<Case> read_lines(const std::filesystem::path& path, Case (*convert)(const Json&)) {
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error(path.string() + ": can't be opened");
+    std::vector<Case> cases;
+    std::string line;
+    for (int i = 1; std::getline(file, line); ++i) {
+        try {
+            cases.push_back(convert(Json::parse(line)));
+        } catch (const std::exception& error) {
+            throw std::runtime_error(path.string() + ':' + std::to_string(i) + ": " + error.what());
+        }
+    }
+    if (cases.empty()) throw std::runtime_error(path.string() + ": holds no cases");
+    return cases;
+}
+
+} // namespace
+
+std::vector<LineCase> read_line_cases(const std::filesystem::path& path) {
+    return read_lines(path, line_case_from);
+}
+
+std::vector<RefractionCase> read_refraction_cases(const std::filesystem::path& path) {
+    return read_lines(path, refraction_case_from);
+}
+
+} // namespace rayscope::test

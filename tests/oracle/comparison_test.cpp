@@ -1,0 +1,184 @@
+// The judges are judged: each fault that they are there for is seen, on made-up answers.
+
+#include "tests/oracle/accuracy.hpp"
+#include "tests/oracle/comparison.hpp"
+
+#include <gmock/gmock.h>
+
+namespace rayscope::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double tolerance = 64e-15; // so that 4e-15 are allowed
+
+ExactBound bound_at(double t) {
+    ExactBound bound;
+    bound.t = {t, 0};
+    bound.tolerance = bound.tight_tolerance = tolerance;
+    bound.tight_condition = 10;
+    bound.normal_tolerance = 1e-14;
+    bound.surfaces.push_back({0, "side", false, Vec3d{0, 0, 1}});
+    return bound;
+}
+
+// Spans [1, 2] and [3, 4].
+LineCase two_spans() {
+    LineCase exact;
+    exact.bounds = {bound_at(1), bound_at(2), bound_at(3), bound_at(4)};
+    exact.spans = {{0, 1}, {2, 3}};
+    exact.decidable = true;
+    exact.tolerance_sum = 4 * tolerance;
+    return exact;
+}
+
+FoundEnd end_at(double t) { return {t, 1e-15, 0, "side", false, Vec3d{0, 0, 1}}; }
+FoundSpan span(double enter, double exit) { return {end_at(enter), end_at(exit)}; }
+
+TEST(Comparison, TheRightAnswerHasNoFault) {
+    EXPECT_EQ(fault_in_case(two_spans(), {span(1, 2), span(3, 4)}), std::nullopt);
+}
+
+TEST(Comparison, AWrongCountIsSeen) {
+    EXPECT_THAT(fault_in_case(two_spans(), {span(1, 2)}).value_or(""),
+                HasSubstr("1 spans where there are 2"));
+    EXPECT_NE(fault_in_case(two_spans(), {}), std::nullopt);
+    EXPECT_NE(fault_in_case(two_spans(), {span(1, 2), span(3, 4), span(5, 6)}), std::nullopt);
+}
+
+TEST(Comparison, ANaNIsSeen) {
+    for (const bool decidable : {true, false}) {
+        LineCase exact = two_spans();
+        exact.decidable = decidable;
+        EXPECT_THAT(fault_in_case(exact, {span(1, 2), span(nan, 4)}).value_or(""), HasSubstr("NaN"));
+        EXPECT_THAT(fault_in_case(exact, {span(1, nan), span(3, 4)}).value_or(""), HasSubstr("NaN"));
+        exact.in_surface = true;
+        EXPECT_NE(fault_in_case(exact, {span(nan, nan)}), std::nullopt);
+    }
+}
+
+TEST(Comparison, AnErrorOfFiveUnitsIsSeenAndOneOfThreeIsNot) {
+    const double unit = tolerance / 64;
+    EXPECT_EQ(fault_in_case(two_spans(), {span(1 + 3 * unit, 2), span(3, 4)}), std::nullopt);
+    EXPECT_THAT(fault_in_case(two_spans(), {span(1 + 5 * unit, 2), span(3, 4)}).value_or(""),
+                HasSubstr("is off by"));
+    EXPECT_NE(fault_in_case(two_spans(), {span(1, 2), span(3, 4 - 5 * unit)}), std::nullopt);
+}
+
+TEST(Comparison, WhatTheNearestDoubleLacksCounts) {
+    LineCase exact = two_spans();
+    exact.bounds[0].t.rest = 5e-17;
+    EXPECT_NEAR(exact.bounds[0].t.distance(1), 5e-17, 1e-19);
+    exact.bounds[0].tight_tolerance = 64 * 1e-17; // allows 4e-17
+    EXPECT_NE(fault_in_case(exact, {span(1, 2), span(3, 4)}), std::nullopt);
+}
+
+TEST(Comparison, DisorderIsSeen) {
+    LineCase exact = two_spans();
+    exact.in_surface = true;
+    EXPECT_EQ(fault_in_case(exact, {span(1, 2)}), std::nullopt);
+    EXPECT_NE(fault_in_case(exact, {span(3, 4), span(1, 2)}), std::nullopt);
+    EXPECT_NE(fault_in_case(exact, {span(2, 1)}), std::nullopt);
+    EXPECT_NE(fault_in_case(exact, {span(1, 1)}), std::nullopt);
+}
+
+TEST(Comparison, AnUnboundedEndMustBeInfinite) {
+    LineCase exact = two_spans();
+    exact.spans = {{std::nullopt, 0}, {3, std::nullopt}};
+    EXPECT_EQ(fault_in_case(exact, {span(-infinity<double>, 1), span(4, infinity<double>)}), std::nullopt);
+    EXPECT_NE(fault_in_case(exact, {span(-1e300, 1), span(4, infinity<double>)}), std::nullopt);
+    EXPECT_NE(fault_in_case(exact, {span(-infinity<double>, 1), span(4, 1e300)}), std::nullopt);
+}
+
+TEST(Comparison, AnUndecidableCaseMayLoseASliverButNotMore) {
+    LineCase exact = two_spans();
+    exact.decidable = false;
+    exact.bounds[1].t = {1 + tolerance, 0};
+    EXPECT_EQ(fault_in_case(exact, {span(3, 4)}), std::nullopt);
+    EXPECT_THAT(fault_in_case(exact, {span(1, 1 + tolerance)}).value_or(""), HasSubstr("differ on a length"));
+    EXPECT_NE(fault_in_case(exact, {span(-infinity<double>, 4)}), std::nullopt);
+}
+
+TEST(Comparison, DifferencesOfSpansAreMeasured) {
+    EXPECT_EQ(symmetric_difference(two_spans(), {span(1, 2), span(3, 4)}), 0);
+    EXPECT_EQ(symmetric_difference(two_spans(), {}), 2);
+    EXPECT_EQ(symmetric_difference(two_spans(), {span(1.5, 3.25)}), 0.5 + 1 + 0.75);
+    EXPECT_EQ(symmetric_difference(two_spans(), {span(0, infinity<double>)}), infinity<double>);
+}
+
+TEST(Comparison, ACleanAnswerReplacesSlivers) {
+    LineCase exact = two_spans();
+    exact.decidable = false;
+    exact.clean_decidable = true;
+    exact.clean_spans = {{0, 3}};
+    EXPECT_EQ(fault_in_case(exact, {span(1, 4)}), std::nullopt);
+    EXPECT_NE(fault_in_case(exact, {span(1, 2), span(3, 4)}), std::nullopt);
+}
+
+TEST(Comparison, AWrongNormalIsSeen) {
+    FoundEnd end = end_at(1);
+    EXPECT_EQ(fault_in_end(bound_at(1), end, true), std::nullopt);
+    end.normal = {0, 0, -1};
+    EXPECT_THAT(fault_in_end(bound_at(1), end, false).value_or(""), HasSubstr("normal"));
+    end.normal = {2e-14, 0, 1};
+    EXPECT_NE(fault_in_end(bound_at(1), end, false), std::nullopt);
+    end.normal = {nan, 0, 1};
+    EXPECT_NE(fault_in_end(bound_at(1), end, false), std::nullopt);
+}
+
+TEST(Comparison, AWrongSurfaceIsSeen) {
+    FoundEnd end = end_at(1);
+    end.face = "cap+";
+    EXPECT_THAT(fault_in_end(bound_at(1), end, true).value_or(""), HasSubstr("does not meet"));
+    EXPECT_EQ(fault_in_end(bound_at(1), end, false), std::nullopt);
+    end = end_at(1);
+    end.flipped = true;
+    EXPECT_NE(fault_in_end(bound_at(1), end, true), std::nullopt);
+    end = end_at(1);
+    end.leaf = 1;
+    EXPECT_NE(fault_in_end(bound_at(1), end, true), std::nullopt);
+}
+
+TEST(Comparison, AnyOfTheFacesThatMeetIsRight) {
+    ExactBound edge = bound_at(1);
+    edge.surfaces.push_back({0, "cap+", false, Vec3d{1, 0, 0}});
+    FoundEnd end = end_at(1);
+    end.face = "cap+";
+    end.normal = {1, 0, 0};
+    EXPECT_EQ(fault_in_end(edge, end, true), std::nullopt);
+}
+
+TEST(Comparison, AnApexHasNoNormalToCompare) {
+    ExactBound apex = bound_at(1);
+    apex.surfaces[0].normal.reset();
+    FoundEnd end = end_at(1);
+    end.normal = {1, 0, 0};
+    EXPECT_EQ(fault_in_end(apex, end, true), std::nullopt);
+}
+
+TEST(Accuracy, ErrorsAndBoundsAreInUnitsOfTheCondition) {
+    Accuracy accuracy;
+    EXPECT_TRUE(accuracy.empty());
+    const double unit = epsilon<double> * 10;
+    for (const double times : {1.0, 2.0, 9.0}) {
+        FoundEnd end = end_at(1 + 3 * unit);
+        end.error_bound = times * unit;
+        accuracy.add(bound_at(1), end);
+    }
+    EXPECT_NEAR(accuracy.worst_error(), 3, 1e-9);
+    EXPECT_NEAR(accuracy.bound_at(0.5), 2, 1e-9);
+    EXPECT_NEAR(accuracy.bound_at(1), 9, 1e-9);
+    EXPECT_THAT(accuracy.summary(), HasSubstr("ends 3"));
+}
+
+TEST(Accuracy, BoundsWithoutAConditionHaveNoUnit) {
+    Accuracy accuracy;
+    ExactBound tangent = bound_at(1);
+    tangent.tight_condition = infinity<double>;
+    accuracy.add(tangent, end_at(1));
+    EXPECT_TRUE(accuracy.empty());
+}
+
+} // namespace
+} // namespace rayscope::test

@@ -1,0 +1,171 @@
+#include "tests/oracle/line_checks.hpp"
+
+#include "tests/oracle/case_world.hpp"
+#include "tests/oracle/text.hpp"
+#include "tests/support/hex.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rayscope::test {
+namespace {
+
+// Runs check(case, world, spans) on each case.
+template <typename Check> void expect_no_fault(const std::vector<LineCase>& cases, const Check& check) {
+    constexpr int printed = 5;
+    int wrong = 0;
+    for (const LineCase& exact : cases) {
+        const CaseWorld world(exact);
+        const FoundSpans found = world.spans();
+        const Fault fault = check(exact, world, found);
+        if (fault && wrong++ < printed) ADD_FAILURE() << *fault << "\n  in " << describe(exact, found);
+    }
+    EXPECT_EQ(wrong, 0) << "cases wrong of " << cases.size();
+}
+
+// Where the traced ray may end: the first bound ahead, and those about t = 0, which rounding may put on either side.
+// Sets `required` to false if a miss is right too.
+std::vector<const ExactBound*> candidates(const std::vector<MatchedEnd>& ends, bool& required) {
+    std::vector<const ExactBound*> bounds;
+    for (const auto& [bound, found] : ends) {
+        const bool near_start = std::abs(bound->t.nearest) <= bound->tight_tolerance;
+        if (bound->t.value() <= 0 && !near_start) continue;
+        bounds.push_back(bound);
+        if (!near_start) {
+            required = true;
+            return bounds;
+        }
+    }
+    required = false;
+    return bounds;
+}
+
+Fault fault_in_first_hit(const std::vector<MatchedEnd>& ends, const std::optional<FoundEnd>& hit,
+                         bool surfaces) {
+    bool required = false;
+    const auto bounds = candidates(ends, required);
+    if (!hit) return required ? Fault{"the traced ray misses"} : Fault{};
+    for (const ExactBound* bound : bounds)
+        if (bound->t.distance(hit->t) <= bound->tight_tolerance * allowed_share)
+            return fault_in_end(*bound, *hit, surfaces);
+    return text("the traced ray ends at t = ", hex(hit->t));
+}
+
+Fault fault_in_error_bound(const ExactBound& exact, const FoundEnd& found) {
+    const double error = exact.t.distance(found.t);
+    if (error <= found.error_bound) return {};
+    return text("at t = ", hex(found.t), " the error is ", hex(error), ", above its bound ",
+                hex(found.error_bound));
+}
+
+// A coincident face may belong to any of the surfaces that meet there; a cluster at the root can keep another one.
+bool surfaces_are_known(const LineCase& exact) { return exact.is_compound && exact.decidable; }
+
+bool is_inside(const std::vector<CaseToken>& program, bool inside_leaf) {
+    std::vector<bool> stack;
+    for (const CaseToken& token : program) {
+        if (token.operation == Operation::leaf) {
+            stack.push_back(inside_leaf);
+            continue;
+        }
+        const bool last = stack.back();
+        stack.pop_back();
+        if (token.operation == Operation::complement) {
+            stack.push_back(!last);
+        } else {
+            const bool first = stack.back();
+            stack.back() = holds(token.operation, first, last);
+        }
+    }
+    return stack.back();
+}
+
+// The t of all ends, unbounded ones included.
+std::vector<double> times(const FoundSpans& spans) {
+    std::vector<double> result;
+    for (const FoundSpan& span : spans) result.insert(result.end(), {span.enter.t, span.exit.t});
+    return result;
+}
+
+std::vector<double> times_outside(std::vector<double> inside) {
+    inside.insert(inside.begin(), -infinity<double>);
+    inside.push_back(infinity<double>);
+    std::vector<double> outside;
+    for (std::size_t i = 0; i + 1 < inside.size(); i += 2)
+        if (inside[i] < inside[i + 1]) outside.insert(outside.end(), {inside[i], inside[i + 1]});
+    return outside;
+}
+
+Fault fault_in_identity(const LineCase& exact, const FoundSpans& found) {
+    LineCase leaf = exact;
+    leaf.program.assign(1, {});
+    const std::vector<double> alone = times(CaseWorld(leaf).spans());
+    const bool inside = is_inside(exact.program, true), outside = is_inside(exact.program, false);
+    std::vector<double> expected;
+    if (inside && outside)
+        expected = {-infinity<double>, infinity<double>};
+    else if (inside)
+        expected = alone;
+    else if (outside)
+        expected = times_outside(alone);
+    return times(found) == expected ? Fault{} : Fault{"not the same bits as the leaf's"};
+}
+
+} // namespace
+
+std::vector<MatchedEnd> comparable_ends(const LineCase& exact, const FoundSpans& found) {
+    if (!exact.decidable || exact.in_surface) return {};
+    return matched_ends(exact, exact.spans, found);
+}
+
+void expect_spans(const std::vector<LineCase>& cases) {
+    expect_no_fault(cases, [](const LineCase& exact, const CaseWorld&, const FoundSpans& found) {
+        return fault_in_case(exact, found);
+    });
+}
+
+void expect_surfaces_and_normals(const std::vector<LineCase>& cases) {
+    expect_no_fault(cases, [](const LineCase& exact, const CaseWorld&, const FoundSpans& found) {
+        for (const auto& [bound, end] : comparable_ends(exact, found))
+            if (auto fault = fault_in_end(*bound, *end, surfaces_are_known(exact))) return fault;
+        return Fault{};
+    });
+}
+
+void expect_first_hits(const std::vector<LineCase>& cases) {
+    expect_no_fault(cases, [](const LineCase& exact, const CaseWorld& world, const FoundSpans& found) {
+        const auto hit = world.first_hit();
+        if (hit && std::isnan(hit->t)) return Fault{"the traced ray ends at NaN"};
+        if (!exact.decidable || exact.in_surface) return Fault{};
+        return fault_in_first_hit(comparable_ends(exact, found), hit, surfaces_are_known(exact));
+    });
+}
+
+void expect_error_bounds(const std::vector<LineCase>& cases) {
+    expect_no_fault(cases, [](const LineCase& exact, const CaseWorld& world, const FoundSpans& found) {
+        const auto ends = comparable_ends(exact, found);
+        for (const auto& [bound, end] : ends)
+            if (auto fault = fault_in_error_bound(*bound, *end)) return fault;
+        const auto hit = world.first_hit();
+        for (const auto& [bound, end] : ends)
+            if (hit && hit->t == end->t)
+                if (auto fault = fault_in_error_bound(*bound, *hit)) return fault;
+        return Fault{};
+    });
+}
+
+void expect_identities(const std::vector<LineCase>& cases) {
+    expect_no_fault(cases, [](const LineCase& exact, const CaseWorld&, const FoundSpans& found) {
+        return exact.leaves.size() == 1 ? fault_in_identity(exact, found) : Fault{};
+    });
+}
+
+Accuracy accuracy_of(const std::vector<LineCase>& cases) {
+    Accuracy accuracy;
+    for (const LineCase& exact : cases) {
+        const FoundSpans found = CaseWorld(exact).spans();
+        for (const auto& [bound, end] : comparable_ends(exact, found)) accuracy.add(*bound, *end);
+    }
+    return accuracy;
+}
+
+} // namespace rayscope::test

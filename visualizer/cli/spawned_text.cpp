@@ -1,0 +1,120 @@
+// What a ray spawned, what it did not, and why.
+
+#include "visualizer/cli/ray_facts.hpp"
+#include "visualizer/cli/step_text.hpp"
+
+namespace rayscope::cli {
+namespace {
+
+int child_of_kind(const Trace& trace, int ray, RayKind kind) {
+    for (const int child : trace.rays[std::size_t(ray)].children)
+        if (trace.rays[std::size_t(child)].start().kind == kind) return child;
+    return none;
+}
+
+void add_child(Page& page, const Trace& trace, int ray, RayKind kind, const Colour& coefficient,
+               const StepStyle& style) {
+    const int child = child_of_kind(trace, ray, kind);
+    if (child == none) return; // refused: its reason follows, or the record was full
+    const Numbers& number = style.number;
+    const Colour& own = trace.rays[std::size_t(ray)].start().weight;
+    page.item("spawns", style.paint.kind(kind, "ray " + std::to_string(child)) + ", weight " +
+                            number.colour(own) + " × " + number.colour(coefficient) + " = " +
+                            number.colour(trace.rays[std::size_t(child)].start().weight));
+}
+
+std::string critical_text(const BoundaryChosen& hit, double theta, double critical, const Numbers& number) {
+    if (std::isnan(critical))
+        return hit.speed_from == hit.speed_to ? "none: both media have the same speed, and nothing is bent"
+                                              : "none: light is slower behind the surface";
+    const double distance = (theta - critical);
+    return "arcsin(c₁/c₂) = " + number.degrees(critical) + "; θ₁ is " + number.degrees(std::abs(distance)) +
+           (distance > 0 ? " above it" : " below it");
+}
+
+void add_reflected(Page& page, const Trace& trace, int ray, const Reflected& reflected,
+                   const StepStyle& style) {
+    const Numbers& number = style.number;
+    page.heading("Reflection: d − 2(d·n)n");
+    page.item("coefficient", number.colour(reflected.coefficient));
+    page.item("angle", "θ = " + number.degrees(reflected.theta) + " on both sides of the normal");
+    page.item("direction", number.vector(reflected.direction));
+    add_child(page, trace, ray, RayKind::reflected, reflected.coefficient, style);
+}
+
+void add_eta(Page& page, const BoundaryChosen& hit, double eta, const Numbers& number) {
+    page.item("speeds", "c₁ = " + number(hit.speed_from) + ", c₂ = " + number(hit.speed_to) +
+                            ", eta = c₂/c₁ = " + number(eta));
+}
+
+void add_refracted(Page& page, const Trace& trace, int ray, const BoundaryChosen& hit,
+                   const Refracted& refracted, const StepStyle& style) {
+    const Numbers& number = style.number;
+    page.heading("Refraction: sin θ₂ = (c₂/c₁) sin θ₁");
+    page.item("coefficient", number.colour(refracted.coefficient));
+    add_eta(page, hit, refracted.eta, number);
+    page.item("angles", "θ₁ = " + number.degrees(refracted.theta_from) +
+                            ", θ₂ = " + number.degrees(refracted.theta_to));
+    page.item("Snell", "sin θ₂ = " + number(refracted.eta) + " × " + number(std::sin(refracted.theta_from)) +
+                           " = " + number(std::sin(refracted.theta_to)));
+    page.item("critical", critical_text(hit, refracted.theta_from, refracted.critical, number));
+    page.item("direction", number.vector(refracted.direction));
+    add_child(page, trace, ray, RayKind::refracted, refracted.coefficient, style);
+}
+
+void add_total(Page& page, const BoundaryChosen& hit, const TotallyReflected& total, const StepStyle& style) {
+    const Numbers& number = style.number;
+    page.heading("Total internal reflection: no θ₂ exists");
+    add_eta(page, hit, total.eta, number);
+    page.item("Snell", "θ₁ = " + number.degrees(total.theta_from) + "; sin θ₂ would be " + number(total.eta) +
+                           " × " + number(std::sin(total.theta_from)) + " = " +
+                           number(total.eta * std::sin(total.theta_from)) + ", more than 1");
+    page.item("critical", critical_text(hit, total.theta_from, total.critical, number));
+    page.item("coefficient",
+              number.colour(total.coefficient) + ": one mirrored ray carries reflection + transmission");
+}
+
+std::string why_not(const Trace& trace, const TracedRay& ray, const NotSpawned& refused,
+                    const Numbers& number) {
+    const std::string would = "it would have carried the weight " + number(refused.weight);
+    switch (refused.reason) {
+    case Reason::coefficient_zero:
+        return refused.kind == RayKind::refracted
+                   ? "the material lets no light through: its transmission is 0"
+                   : "the material mirrors nothing: its reflection is 0";
+    case Reason::depth:
+        return "this ray's depth " + std::to_string(ray.start().depth) + " has reached max_depth " +
+               std::to_string(trace.max_depth) + "; " + would + ", which is lost";
+    case Reason::weight:
+        return would + ", less than min_weight " + number(trace.min_weight) + ", and is left out";
+    case Reason::ray_limit: return "the sample has spent the scene's max_rays; " + would;
+    case Reason::total_internal_reflection: return "no refracted direction exists";
+    case Reason::leaves_solid: return "the ray leaves the solid";
+    }
+    return "";
+}
+
+} // namespace
+
+void add_spawned(Page& page, const Trace& trace, int index, const StepStyle& style) {
+    const TracedRay& ray = trace.rays[std::size_t(index)];
+    const auto* hit = ray.find<BoundaryChosen>();
+    if (hit == nullptr) return;
+    bool refusals = false;
+    for (const Event& event : ray.events) {
+        if (const auto* total = std::get_if<TotallyReflected>(&event)) add_total(page, *hit, *total, style);
+        if (const auto* reflected = std::get_if<Reflected>(&event))
+            add_reflected(page, trace, index, *reflected, style);
+        if (const auto* refracted = std::get_if<Refracted>(&event))
+            add_refracted(page, trace, index, *hit, *refracted, style);
+    }
+    for (const Event& event : ray.events) {
+        const auto* refused = std::get_if<NotSpawned>(&event);
+        if (refused == nullptr) continue;
+        if (!refusals) page.heading("Not followed");
+        refusals = true;
+        page.item(name_of(refused->kind), why_not(trace, ray, *refused, style.number));
+    }
+}
+
+} // namespace rayscope::cli

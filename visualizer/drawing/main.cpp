@@ -1,0 +1,91 @@
+// rayscope-view: the part of rayscope that needs VTK. `rayscope` runs it for pictures and ParaView files.
+
+#include "visualizer/drawing/picture.hpp"
+#include "visualizer/drawing/vtm.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+namespace {
+
+using namespace rayscope;
+
+struct Arguments {
+    std::string scene, trace, output, size;
+    int ray = none;
+};
+
+void add_files(CLI::App& command, Arguments& arguments) {
+    command.add_option("--scene", arguments.scene, "The scene file (.toml or .nff) that the trace is of")->required();
+    command.add_option("--trace", arguments.trace, "The trace (.json), as `rayscope trace` writes it")->required();
+    command.add_option("-o,--output", arguments.output, "The file to write")->required();
+}
+
+Trace read_trace(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(path, {}, "can't be read");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    try {
+        return trace_from_json(nlohmann::json::parse(text));
+    } catch (const std::exception& error) {
+        throw InputError(path, {}, error.what());
+    }
+}
+
+drawing::PictureSize parse_size(const std::string& text) {
+    drawing::PictureSize size;
+    if (text.empty()) return size;
+    char x = 0, rest = 0;
+    const int read = std::sscanf(text.c_str(), "%5d%c%5d%c", &size.width, &x, &size.height, &rest);
+    if (read != 3 || (x != 'x' && x != 'X') || !size.valid())
+        throw InputError("--size", {},
+                         "'" + text + "' is no picture size: expected WIDTHxHEIGHT between 480x320 and 7680x4320");
+    return size;
+}
+
+void draw(const Arguments& arguments) {
+    const drawing::PictureSize size = parse_size(arguments.size);
+    const Trace trace = read_trace(arguments.trace);
+    const int rays = int(trace.rays.size());
+    if (arguments.ray != none && (arguments.ray < 0 || arguments.ray >= rays))
+        throw InputError("--ray", {},
+                         "there is no ray " + std::to_string(arguments.ray) + ": this trace has the rays 0 … " +
+                             std::to_string(rays - 1));
+    drawing::write_picture(open(arguments.scene), trace, arguments.output, {size, arguments.ray});
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Pictures and ParaView files of traced rays", "rayscope-view"};
+    app.require_subcommand(1);
+    Arguments arguments;
+    CLI::App* png = app.add_subcommand("png", "Draws the trace as a picture");
+    add_files(*png, arguments);
+    png->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (1280x720)");
+    png->add_option("--ray", arguments.ray, "The current ray: its path is drawn thick, the others as ghosts");
+    png->footer("Example: rayscope-view png --scene bowl.toml --trace bowl.json -o bowl.png --ray 3");
+    CLI::App* vtm = app.add_subcommand("vtm", "Writes the trace and the surfaces for ParaView");
+    add_files(*vtm, arguments);
+    vtm->footer("Example: rayscope-view vtm --scene bowl.toml --trace bowl.json -o bowl.vtm");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    try {
+        if (*png) draw(arguments);
+        if (*vtm) drawing::write_vtm(open(arguments.scene), read_trace(arguments.trace), arguments.output);
+    } catch (const InputError& error) {
+        std::cerr << error.what() << '\n';
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << "rayscope-view: " << error.what() << '\n';
+        return 1;
+    }
+    return 0;
+}
