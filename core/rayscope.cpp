@@ -5,6 +5,7 @@
 #include "core/scene/name_trace.hpp"
 #include "core/scene/read_nff.hpp"
 #include "core/scene/read_toml.hpp"
+#include "core/trace/rescale.hpp"
 #include "core/world/inside_list.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,7 +14,9 @@ namespace rayscope {
 namespace {
 
 Trace traced(const Workbench& bench, const Ray<double>& ray, TraceSource source) {
-    Recording recording = record(bench.world, ray);
+    const double scale = ordinary_scale(ray.direction);
+    Recording recording = record(bench.world, {ray.origin, ray.direction * scale});
+    if (scale != 1) rescale(recording.rays.front(), scale);
     Trace trace;
     trace.source = std::move(source);
     trace.source.scene = bench.scene.file;
@@ -65,20 +68,25 @@ Trace trace_ray(const Workbench& bench, const Ray<double>& ray) {
 
 std::vector<Spans<double>> spans(const Workbench& bench, const Ray<double>& ray) {
     std::vector<Spans<double>> result;
-    Scratch<double> scratch;
+    const double scale = ordinary_scale(ray.direction);
+    const Ray<double> scaled{ray.origin, ray.direction * scale};
+    Work<double> work;
     for (std::uint32_t id = 0; id < bench.world.objects.size(); ++id) {
         Spans<double>& list = result.emplace_back();
-        const auto found = crossings(bench.world, id, ray, nullptr, scratch);
+        const auto found = crossings(bench.world, id, scaled, nullptr, work);
         const bool volume = bench.world.objects[id].has_volume;
+        const auto unscaled = [&](Crossing<double> crossing) {
+            crossing.t *= scale;
+            return crossing;
+        };
         for (std::size_t i = 0; i < found.size(); i += volume ? 2 : 1)
-            list.push_back({found[i], found[volume ? i + 1 : i]});
+            list.push_back({unscaled(found[i]), unscaled(found[volume ? i + 1 : i])});
     }
     return result;
 }
 
 void write_trace(const Trace& trace, const std::filesystem::path& path) {
-    if (path.extension() != ".json")
-        throw InputError(path.string(), {}, "a trace is written as .json");
+    if (path.extension() != ".json") throw InputError(path.string(), {}, "a trace is written as .json");
     write_text_file(path, to_json(trace).dump(1) + "\n");
 }
 

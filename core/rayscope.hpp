@@ -10,6 +10,8 @@
 #include "core/image/srgb.hpp"
 #include "core/scene/expand.hpp"
 #include "core/scene/scene.hpp"
+#include "core/scene/wording.hpp"
+#include "core/shading/phong.hpp"
 #include "core/trace/trace.hpp"
 #include "core/trace/trace_json.hpp"
 #include "core/tracer/render.hpp"

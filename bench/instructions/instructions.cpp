@@ -2,11 +2,13 @@
 // checksum of what came out. Without an argument: the names of the kernels.
 
 #include "core/csg/sweep.hpp"
+#include "core/extents/scan.hpp"
 #include "core/generics/cone.hpp"
 #include "core/generics/sphere.hpp"
 #include "core/generics/torus.hpp"
+#include "core/rayscope.hpp"
 #include "core/refraction/snell.hpp"
-#include "core/world/solid.hpp"
+#include "core/tracer/tracer.hpp"
 
 #include <array>
 #include <bit>
@@ -109,12 +111,49 @@ void refraction(Checksum& checksum) {
                 refract(list[i].direction, list[i + 1].origin, 1.0, n % 2 == 0 ? 0.66 : 1.33).direction);
 }
 
+/// A glass ball and a mirror over a floor, with a light: the whole recursion, tests included.
+Workbench balls_on_floor() {
+    Scene scene;
+    SceneMaterial matt, glass, mirror;
+    glass.transmission = Colour{0.9};
+    glass.speed = 0.66;
+    mirror.reflection = Colour{0.8};
+    scene.materials = {matt, glass, mirror};
+    SceneLight light;
+    light.position = {3, -4, 6};
+    scene.lights = {light};
+    const auto add = [&](const Generic<double>& shape, const Vec3d& at, std::size_t material) {
+        SceneGeneric generic;
+        generic.shape = shape;
+        generic.matrix[3] = {at.x, at.y, at.z, 1};
+        generic.material = material;
+        scene.drawn.push_back({false, scene.generics.size()});
+        scene.generics.push_back(generic);
+    };
+    add(Plane<double>{}, {0, 0, -1}, 0);
+    add(Sphere<double>{}, {-0.7, 0, 0}, 1);
+    add(Cylinder<double>{}, {0.9, 0.8, 0}, 2);
+    return make_workbench(std::move(scene));
+}
+
+void shade(Checksum& checksum) {
+    static const Workbench bench = balls_on_floor();
+    static const Scan<double> stage(bench.world);
+    static const auto list = rays();
+    Work<double> work;
+    NullRecorder recorder;
+    Tracer tracer(bench.world, stage, work, recorder);
+    for (int n = 0; n < repetitions / 20; ++n)
+        for (const auto& ray : list) checksum.add(tracer.trace(ray));
+}
+
 constexpr std::array kernels{
     Kernel{"sphere", intersect<Sphere<double>>},
     Kernel{"cone", intersect<Cone<double>>},
     Kernel{"torus", intersect<Torus<double>>},
     Kernel{"sweep", sweep},
     Kernel{"refraction", refraction},
+    Kernel{"shade", shade},
 };
 
 } // namespace

@@ -36,8 +36,7 @@ template <Scalar T, typename ErrorBound, typename Merged>
         std::size_t last = first;
         while (last + 1 < list.size() && coincide(list[last], list[last + 1])) ++last;
         const std::size_t count = last - first + 1;
-        if (count > 1)
-            merged(Cluster<T>{int(count), list[first].t, list[last].t, count % 2 == 1});
+        if (count > 1) merged(Cluster<T>{int(count), list[first].t, list[last].t, count % 2 == 1});
         if (count % 2 == 1) {
             // All odd ones run the cluster's way; the leftmost operand's surface stands for them.
             std::size_t chosen = first;

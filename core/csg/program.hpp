@@ -14,17 +14,20 @@ struct CompoundNode {
     std::uint32_t solid = 0;           ///< leaves: which solid of the world
 };
 
-/// One step: push a leaf's inside list, or combine what lies on top.
+/// One step: push a leaf's inside list, combine what lies on top, or end early.
 struct Instruction {
-    Operation operation = Operation::leaf;
-    std::uint32_t solid = 0; ///< leaves
+    enum class Kind : std::uint8_t { leaf, guard, combine, complement };
+    Kind kind = Kind::leaf;
+    Operation operation = Operation::leaf; ///< combine: which
+    std::uint32_t operand = 0; ///< leaf: its solid; guard: where to go on if the top list is empty
 };
 
 using Program = std::vector<Instruction>;
 
 /// The tree as a program in which chains of one operation are balanced: D − A − B − C becomes D − (A ∪ (B ∪ C)),
 /// and a union of n operands log n deep. Nodes combine exactly, so no such regrouping changes a result, and a chain
-/// of 10⁵ nodes costs n log n instead of n². Iterative: a deep tree needs no deep call stack.
+/// of 10⁵ nodes costs n log n instead of n². Where the left operand of ∩ or − is empty the right one is not looked at.
+/// Iterative: a deep tree needs no deep call stack.
 [[nodiscard]] Program compile(std::span<const CompoundNode> nodes);
 
 /// Runs a program; its result is the top list of the stack, which is cleared before.
@@ -32,14 +35,18 @@ using Program = std::vector<Instruction>;
 template <Scalar T, typename PushLeaf>
 void run(std::span<const Instruction> program, SpanStack<T>& stack, const PushLeaf& push_leaf) {
     stack.clear();
-    for (const Instruction& step : program) {
-        if (step.operation == Operation::leaf) {
+    for (std::size_t i = 0; i < program.size(); ++i) {
+        const Instruction& step = program[i];
+        switch (step.kind) {
+        case Instruction::Kind::leaf:
             stack.push();
-            push_leaf(step.solid);
-        } else if (step.operation == Operation::complement) {
-            stack.complement();
-        } else {
-            stack.combine(step.operation);
+            push_leaf(step.operand);
+            break;
+        case Instruction::Kind::guard:
+            if (stack.top_size() == 0) i = step.operand - 1;
+            break;
+        case Instruction::Kind::combine: stack.combine(step.operation); break;
+        case Instruction::Kind::complement: stack.complement(); break;
         }
     }
 }

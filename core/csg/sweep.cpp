@@ -33,7 +33,8 @@ template <Scalar T> void SpanStack<T>::sweep(Operation operation, std::size_t a,
         if (take_b) in_b = crossings_[j++].entering;
         if (holds(operation, in_a, in_b) == inside) continue;
         inside = !inside;
-        if (!take_a && operation == Operation::difference) boundary.surface.flipped = !boundary.surface.flipped;
+        if (!take_a && operation == Operation::difference)
+            boundary.surface.flipped = !boundary.surface.flipped;
         boundary.entering = inside;
         crossings_.push_back(boundary);
     }
@@ -49,10 +50,14 @@ template <Scalar T> void SpanStack<T>::complement() {
     }
     // An end at infinity appears where there was none, and goes where there was one.
     const auto first = crossings_.begin() + std::ptrdiff_t(start);
-    if (first != crossings_.end() && first->t == -infinity<T>) crossings_.erase(first);
-    else crossings_.insert(first, {-infinity<T>, {}, true});
-    if (crossings_.size() > start && crossings_.back().t == infinity<T>) crossings_.pop_back();
-    else crossings_.push_back({infinity<T>, {}, false});
+    if (first != crossings_.end() && first->t == -infinity<T>)
+        crossings_.erase(first);
+    else
+        crossings_.insert(first, {-infinity<T>, {}, true});
+    if (crossings_.size() > start && crossings_.back().t == infinity<T>)
+        crossings_.pop_back();
+    else
+        crossings_.push_back({infinity<T>, {}, false});
 }
 
 template class SpanStack<double>;

@@ -9,7 +9,7 @@ namespace rayscope {
 /// Inside lists on a stack, in one contiguous buffer: no allocation once it has grown.
 /// A list is its crossings in ascending order, entering and leaving in turn; unbounded ends have t = ±inf.
 template <Scalar T> class SpanStack {
-  public:
+public:
     void clear() {
         crossings_.clear();
         starts_.clear();
@@ -28,7 +28,7 @@ template <Scalar T> class SpanStack {
     /// Replaces the topmost list by what lies outside it.
     void complement();
 
-  private:
+private:
     void sweep(Operation operation, std::size_t a, std::size_t b);
 
     std::vector<Crossing<T>> crossings_;

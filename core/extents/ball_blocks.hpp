@@ -6,7 +6,7 @@
 namespace rayscope {
 
 template <Scalar T> class BallBlocks {
-  public:
+public:
     /// Takes up the plain solids that are world-space spheres.
     explicit BallBlocks(const World<T>& world);
 
@@ -15,15 +15,14 @@ template <Scalar T> class BallBlocks {
     /// @return how many balls were tested
     template <typename OnHit> std::size_t each_met(const Ray<T>& ray, const OnHit& hit) const;
 
-  private:
+private:
     static constexpr std::size_t block = 64;
 
     std::vector<T> x_, y_, z_, radius_; // padded to whole blocks with NaN, which no ray meets
     std::vector<std::uint32_t> object_;
 };
 
-template <Scalar T>
-BallBlocks<T>::BallBlocks(const World<T>& world) {
+template <Scalar T> BallBlocks<T>::BallBlocks(const World<T>& world) {
     for (std::uint32_t id = 0; id < world.objects.size(); ++id) {
         const Object& object = world.objects[id];
         if (!world.is_ball(object)) continue;
@@ -49,8 +48,9 @@ std::size_t BallBlocks<T>::each_met(const Ray<T>& ray, const OnHit& hit) const {
     for (std::size_t first = 0; first < x_.size(); first += block) {
         const T *cx = &x_[first], *cy = &y_[first], *cz = &z_[first], *radius = &radius_[first];
         for (std::size_t i = 0; i < block; ++i)
-            squared[i] = Sphere<T>::Chord::of(x - cx[i], y - cy[i], z - cz[i], dx, dy, dz, dd, inverse_dd, radius[i])
-                             .squared;
+            squared[i] =
+                Sphere<T>::Chord::of(x - cx[i], y - cy[i], z - cz[i], dx, dy, dz, dd, inverse_dd, radius[i])
+                    .squared;
         for (std::size_t i = 0; i < block; ++i)
             if (squared[i] > T(0)) [[unlikely]]
                 if (hit(object_[first + i])) return first + i + 1;

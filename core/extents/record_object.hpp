@@ -2,7 +2,7 @@
 // One object's test, recorded: the inside list of every generic and of every node.
 
 #include "core/trace/recorder.hpp"
-#include "core/world/work.hpp"
+#include "core/world/inside_list.hpp"
 
 namespace rayscope {
 

@@ -10,77 +10,56 @@
 namespace rayscope {
 
 template <Scalar T> class Scan {
-  public:
+public:
     explicit Scan(const World<T>& world);
 
     /// The nearest crossing with t in the range.
     template <typename Recorder>
-    [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
-                                                Work<T>& work, Recorder& recorder) const;
+    [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray, const Range<T>& range,
+                                                const Leaving<T>& leaving, Work<T>& work,
+                                                Recorder& recorder) const;
 
     /// True as soon as an opaque object has a crossing in the range. If there is none, work.blockers holds the
     /// crossings of transmitting objects in the range, by (t, object).
     template <typename Recorder>
-    [[nodiscard]] bool blocked(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving, Work<T>& work,
-                               Recorder& recorder) const;
+    [[nodiscard]] bool blocked(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
+                               Work<T>& work, Recorder& recorder) const;
 
-  private:
+private:
     // Calls test(object, leaving surface or nullptr) for every object that may be hit, until it returns true.
     template <typename Test>
     void each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<T>& work, const Test& test) const;
 
-    void count(std::uint32_t object, Counters& counters) const;
-
     const World<T>& world_;
     BallBlocks<T> balls_;
     std::vector<std::uint32_t> others_; // objects that are not balls, in the order of the file
-    Counters all_others_;               // what testing each of them once counts
 };
 
 template <Scalar T> Scan<T>::Scan(const World<T>& world) : world_(world), balls_(world) {
-    for (std::uint32_t id = 0; id < world.objects.size(); ++id) {
-        if (world.is_ball(world.objects[id])) continue;
-        others_.push_back(id);
-        count(id, all_others_);
-    }
-}
-
-template <Scalar T> void Scan<T>::count(std::uint32_t id, Counters& counters) const {
-    const Object& object = world_.objects[id];
-    ++counters.objects;
-    if (!object.is_compound) {
-        ++counters.tests[world_.solids[object.index].shape.index()];
-        return;
-    }
-    ++counters.compounds;
-    for (const Instruction& step : world_.compounds[object.index].program)
-        if (step.operation == Operation::leaf) ++counters.tests[world_.solids[step.solid].shape.index()];
+    for (std::uint32_t id = 0; id < world.objects.size(); ++id)
+        if (!world.is_ball(world.objects[id])) others_.push_back(id);
 }
 
 template <Scalar T>
 template <typename Test>
-void Scan<T>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<T>& work, const Test& test) const {
+void Scan<T>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<T>& work,
+                             const Test& test) const {
     // What the ray leaves starts with a crossing at t = 0 that the blocks know nothing of.
     for (int i = 0; i < leaving.count; ++i) {
         const LeavingSurface& surface = leaving.items[std::size_t(i)];
-        if (test(surface.object, &surface)) {
-            count(surface.object, work.counters);
-            return;
-        }
+        if (test(surface.object, &surface)) return;
     }
-    bool done = false;
     const auto untested = [&](std::uint32_t object) { return leaving.of(object) == nullptr; };
-    const std::size_t balls = balls_.each_met(
-        ray, [&](std::uint32_t object) { return done = untested(object) && test(object, nullptr); });
-    work.counters.objects += balls;
-    work.counters.tests[Generic<T>(Sphere<T>{}).index()] += balls;
-    if (done) return;
-    for (std::size_t i = 0; i < others_.size(); ++i) {
-        if (!untested(others_[i]) || !test(others_[i], nullptr)) continue;
-        for (std::size_t j = 0; j <= i; ++j) count(others_[j], work.counters);
-        return;
-    }
-    work.counters += all_others_;
+    bool done = false;
+    std::size_t met = 0;
+    const std::size_t balls = balls_.each_met(ray, [&](std::uint32_t object) {
+        ++met; // counted by its test
+        return done = untested(object) && test(object, nullptr);
+    });
+    work.counters.objects += balls - met;
+    work.counters.tests[Generic<T>(Sphere<T>{}).index()] += balls - met;
+    for (std::size_t i = 0; i < others_.size() && !done; ++i)
+        done = untested(others_[i]) && test(others_[i], nullptr);
 }
 
 template <Scalar T>
@@ -90,7 +69,7 @@ std::optional<Hit<T>> Scan<T>::closest(const Ray<T>& ray, const Range<T>& range,
     std::optional<Hit<T>> nearest;
     each_candidate(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray, range, start, recorder);
-        const auto list = crossings(world_, object, ray, start, work.scratch);
+        const auto list = crossings(world_, object, ray, start, work);
         if (const Crossing<T>* first = first_crossing(world_, ray, list, range, start)) {
             const Hit<T> hit{first->t, object, first->surface, first->entering};
             if (!nearest || hit.precedes(*nearest)) nearest = hit;
@@ -108,7 +87,7 @@ bool Scan<T>::blocked(const Ray<T>& ray, const Range<T>& range, const Leaving<T>
     work.blockers.clear();
     each_candidate(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray, range, start, recorder);
-        const auto list = crossings(world_, object, ray, start, work.scratch);
+        const auto list = crossings(world_, object, ray, start, work);
         const Crossing<T>* first = first_crossing(world_, ray, list, range, start);
         if (first == nullptr) return false;
         if (!world_.material_of(object).transmits()) return found = true;

@@ -16,7 +16,8 @@ template <Scalar T> struct Plane {
         if (d == T(0)) // parallel: wholly inside or wholly outside; a ray along the boundary runs outside
             return Intervals<T>(o <= T(0) && leaving != 0 ? Interval<T>{} : Interval<T>::nothing());
         const T t = leaving == 0 ? T(0) : -o / d;
-        return Intervals<T>(d > T(0) ? Interval<T>{-infinity<T>, t, 0, 0} : Interval<T>{t, infinity<T>, 0, 0});
+        return Intervals<T>(d > T(0) ? Interval<T>{-infinity<T>, t, 0, 0}
+                                     : Interval<T>{t, infinity<T>, 0, 0});
     }
 
     [[nodiscard]] Vec3<T> normal(const Vec3<T>& /*p*/, int /*face*/) const { return {T(0), T(0), T(1)}; }

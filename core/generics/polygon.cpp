@@ -4,7 +4,9 @@ namespace rayscope {
 
 template <Scalar T>
 Polygon<T>::Polygon(std::vector<Vec3<T>> vertices, std::vector<Vec3<T>> normals)
-    : vertices_(std::move(vertices)), normals_(std::move(normals)), normal_(normalized(area_vector(vertices_))) {}
+    : vertices_(std::move(vertices)),
+      normals_(std::move(normals)),
+      normal_(normalized(area_vector(vertices_))) {}
 
 template <Scalar T> Intervals<T> Polygon<T>::intervals(const Ray<T>& ray, int leaving) const {
     Intervals<T> found;

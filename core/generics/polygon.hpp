@@ -12,7 +12,7 @@
 namespace rayscope {
 
 template <Scalar T> class Polygon {
-  public:
+public:
     static constexpr const char* name = "polygon";
     static constexpr bool solid = false;
 
@@ -36,7 +36,7 @@ template <Scalar T> class Polygon {
     [[nodiscard]] const std::vector<Vec3<T>>& normals() const { return normals_; }
     [[nodiscard]] bool smooth() const { return !normals_.empty(); }
 
-  private:
+private:
     [[nodiscard]] bool encloses(const Ray<T>& ray) const;
 
     std::vector<Vec3<T>> vertices_, normals_;

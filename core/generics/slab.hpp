@@ -13,7 +13,8 @@ template <Scalar T> [[nodiscard]] Interval<T> slab(T o, T d, int low_face, int h
     if (d == T(0)) return magnitude(o) < T(1) && !on_a_face ? Interval<T>{} : Interval<T>::nothing();
     const T low = leaving == low_face ? T(0) : (T(-1) - o) / d;
     const T high = leaving == high_face ? T(0) : (T(1) - o) / d;
-    return d > T(0) ? Interval<T>{low, high, low_face, high_face} : Interval<T>{high, low, high_face, low_face};
+    return d > T(0) ? Interval<T>{low, high, low_face, high_face}
+                    : Interval<T>{high, low, high_face, low_face};
 }
 
 } // namespace rayscope

@@ -32,8 +32,10 @@ template <Scalar T> struct Sphere {
         Interval<T> inside{chord.middle - half, chord.middle + half, 0, 0};
         // Near the surface one of the two cancels; it follows from the product of the roots, C / |d|².
         const T C = std::fma(o.x, o.x, std::fma(o.y, o.y, std::fma(o.z, o.z, -radius * radius)));
-        if (magnitude(inside.enter) < half / T(2)) inside.enter = C / (dd * inside.exit);
-        else if (magnitude(inside.exit) < half / T(2)) inside.exit = C / (dd * inside.enter);
+        if (magnitude(inside.enter) < half / T(2))
+            inside.enter = C / (dd * inside.exit);
+        else if (magnitude(inside.exit) < half / T(2))
+            inside.exit = C / (dd * inside.enter);
         return Intervals<T>(inside);
     }
 

@@ -81,7 +81,7 @@ template <Scalar T> struct Torus {
         return {Vec3<T>{-outer, -outer, -minor}, Vec3<T>{outer, outer, minor}};
     }
 
-  private:
+private:
     struct Line {
         Vec3<T> q, e; // e is unit
     };
@@ -111,7 +111,8 @@ template <Scalar T> struct Torus {
     }
 
     // Ends, ascending, of pieces on which the quartic is monotone; the last one is part.exit.
-    [[nodiscard]] int monotone_pieces(const Line& line, const Interval<T>& part, std::array<T, 5>& ends) const {
+    [[nodiscard]] int monotone_pieces(const Line& line, const Interval<T>& part,
+                                      std::array<T, 5>& ends) const {
         const auto& [q, e] = line;
         const T k = std::fma(T(1) - minor, T(1) + minor, dot(q, q));
         const T b = T(2) * dot(q, e);

@@ -31,8 +31,10 @@ template <Scalar T>
     const T middle = rough - residual;
     Interval<T> inside{middle - half, middle + half, face, face};
     const T C = std::fma(ox, ox, std::fma(oy, oy, T(-1)));
-    if (magnitude(inside.enter) < half / T(2)) inside.enter = C / (A * inside.exit);
-    else if (magnitude(inside.exit) < half / T(2)) inside.exit = C / (A * inside.enter);
+    if (magnitude(inside.enter) < half / T(2))
+        inside.enter = C / (A * inside.exit);
+    else if (magnitude(inside.exit) < half / T(2))
+        inside.exit = C / (A * inside.enter);
     return inside;
 }
 
@@ -48,7 +50,8 @@ template <Scalar T> struct ConeWall {
     /// of the line closest to the apex, where nothing large is left to cancel. The discriminant is a sum of three
     /// squared minors (Lagrange's identity for the form), each exact to 2 ulp: B² − AC would lose everything for a
     /// ray along a generator.
-    [[nodiscard]] Interval<T> inside(const Ray<T>& ray, const Interval<T>& within, int face, bool leaving) const {
+    [[nodiscard]] Interval<T> inside(const Ray<T>& ray, const Interval<T>& within, int face,
+                                     bool leaving) const {
         const T ox = ray.origin.x, oy = ray.origin.y, ow = radius(ray.origin.z);
         const T dx = ray.direction.x, dy = ray.direction.y, dw = -slope * ray.direction.z;
         const T A = form(dx, dy, dw);
@@ -82,22 +85,27 @@ template <Scalar T> struct ConeWall {
         return magnitude(form(d.x, d.y, -slope * d.z)) / length(normal(p));
     }
 
-  private:
+private:
     [[nodiscard]] static T form(T x, T y, T w) { return std::fma(x, x, difference_of_products(y, y, w, w)); }
 
     // The sign of A says on which side of its roots the line is inside.
-    [[nodiscard]] static Interval<T> between(T A, T B, T C, T first, T second, T dw, const Interval<T>& within,
-                                             int face) {
+    [[nodiscard]] static Interval<T> between(T A, T B, T C, T first, T second, T dw,
+                                             const Interval<T>& within, int face) {
         Interval<T> wall{-infinity<T>, infinity<T>, face, face};
         if (A > T(0)) {
             wall.enter = first;
             wall.exit = second;
         } else if (A < T(0)) { // steeper than the wall: in by the narrow end or out by it, for good
-            if (dw > T(0)) wall.enter = second;
-            else wall.exit = first;
-        } else if (B > T(0)) wall.exit = first; // parallel to a generator: a single root
-        else if (B < T(0)) wall.enter = first;
-        else if (!(C < T(0))) return Interval<T>::nothing();
+            if (dw > T(0))
+                wall.enter = second;
+            else
+                wall.exit = first;
+        } else if (B > T(0))
+            wall.exit = first; // parallel to a generator: a single root
+        else if (B < T(0))
+            wall.enter = first;
+        else if (!(C < T(0)))
+            return Interval<T>::nothing();
         return intersection(within, wall);
     }
 };

@@ -19,7 +19,9 @@ template <Scalar T> inline constexpr T infinity = std::numeric_limits<T>::infini
 
 // The own selections have one fixed answer for NaN and for ±0 (the second operand), which std::min and the
 // vector units of processors do not share.
-template <Scalar T> [[nodiscard]] constexpr T select(bool condition, T yes, T no) { return condition ? yes : no; }
+template <Scalar T> [[nodiscard]] constexpr T select(bool condition, T yes, T no) {
+    return condition ? yes : no;
+}
 template <Scalar T> [[nodiscard]] constexpr T minimum(T a, T b) { return select(a < b, a, b); }
 template <Scalar T> [[nodiscard]] constexpr T maximum(T a, T b) { return select(a > b, a, b); }
 template <Scalar T> [[nodiscard]] constexpr T magnitude(T a) { return select(a < T(0), -a, a); }

@@ -10,7 +10,7 @@ namespace rayscope {
 /// Object point = inverse · (world point − translation). Forming the difference first keeps the digits of a solid
 /// far from the origin; M⁻¹·o + column would cancel there. The inverse is computed in 113 bits and rounded once.
 template <Scalar T> class Transform {
-  public:
+public:
     Transform() = default;
     /// @param matrix affine, last row (0 0 0 1), invertible (see is_invertible).
     explicit Transform(const Mat4<T>& matrix);
@@ -22,7 +22,8 @@ template <Scalar T> class Transform {
 
     /// Unit world normal of an object-space normal of any length: M⁻ᵀ n, normalized.
     [[nodiscard]] Vec3<T> normal_to_world(const Vec3<T>& n) const {
-        return normalized(Vec3<T>{column(n.x, n.y, n.z, 0), column(n.x, n.y, n.z, 1), column(n.x, n.y, n.z, 2)});
+        return normalized(
+            Vec3<T>{column(n.x, n.y, n.z, 0), column(n.x, n.y, n.z, 1), column(n.x, n.y, n.z, 2)});
     }
 
     /// Per component: how far rounding can move the object-space ray point at t, in units of epsilon:
@@ -33,7 +34,7 @@ template <Scalar T> class Transform {
 
     [[nodiscard]] const Vec3<T>& translation() const { return translation_; }
 
-  private:
+private:
     [[nodiscard]] T row(int i, const Vec3<T>& v) const {
         return std::fma(inverse_[i][0], v.x, std::fma(inverse_[i][1], v.y, inverse_[i][2] * v.z));
     }

@@ -26,7 +26,7 @@ Box<double> transformed(const Box<double>& box, const Mat4d& matrix) {
 }
 
 class Builder {
-  public:
+public:
     explicit Builder(const Scene& scene) : scene_(scene) {}
 
     World<double> build() {
@@ -38,7 +38,7 @@ class Builder {
         return std::move(world_);
     }
 
-  private:
+private:
     void copy_settings() {
         for (const SceneMaterial& m : scene_.materials)
             world_.materials.push_back(
@@ -78,7 +78,8 @@ class Builder {
             solid.shape = generic.shape;
         }
         world_.solids.push_back(std::move(solid));
-        return transformed(std::visit([](const auto& shape) { return shape.bounds(); }, generic.shape), matrix);
+        return transformed(std::visit([](const auto& shape) { return shape.bounds(); }, generic.shape),
+                           matrix);
     }
 
     void add_generic(std::size_t index) {
@@ -97,12 +98,17 @@ class Builder {
         Compound result;
         std::vector<Box<double>> boxes;
         for (const ExpandedNode& node : expand(scene_, index)) {
-            result.nodes.push_back({node.operation, node.left, node.right, std::uint32_t(world_.solids.size())});
+            result.nodes.push_back(
+                {node.operation, node.left, node.right, std::uint32_t(world_.solids.size())});
             boxes.push_back(node.operation == Operation::leaf
                                 ? add_leaf(compound, scene_.generics[node.generic], node.matrix, material)
                                 : box_of(node, boxes));
         }
         result.program = compile(result.nodes);
+        for (const CompoundNode& node : result.nodes)
+            if (node.operation == Operation::leaf &&
+                world_.solids[node.solid].material != world_.solids[result.nodes.front().solid].material)
+                result.mixed_materials = true;
         world_.objects.push_back(
             {true, std::uint32_t(world_.compounds.size()), material, compound.priority, true, boxes.back()});
         world_.compounds.push_back(std::move(result));

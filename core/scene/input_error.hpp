@@ -15,7 +15,7 @@ struct Place {
 /// A file or an argument that is wrong: where, and what was expected instead. what() is
 /// "file:line:column: message".
 class InputError : public std::runtime_error {
-  public:
+public:
     InputError(std::string file, Place place, const std::string& message);
 
     std::string file;

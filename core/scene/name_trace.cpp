@@ -32,7 +32,7 @@ std::string operand_text(const TraceNode& node, bool named) {
 }
 
 class Namer {
-  public:
+public:
     Namer(Trace& trace, const Scene& scene, const World<double>& world)
         : trace_(trace), scene_(scene), world_(world) {
         trace_.media.push_back({"air", world.medium_speed});
@@ -61,7 +61,7 @@ class Namer {
     }
     void operator()(auto&) {}
 
-  private:
+private:
     Id object(Id world_id) {
         if (world_id == none) return none;
         const auto [at, fresh] = objects_.try_emplace(world_id, Id(trace_.objects.size()));
@@ -113,7 +113,7 @@ class Namer {
                 TraceNode inner{node.operation, Id(node.left), none, none, {}};
                 if (node.operation != Operation::complement) inner.right = Id(node.right);
                 inner.name = is_root && node.compound != drawn.index ? author.name
-                                                                      : expression(inner, result.nodes, named);
+                                                                     : expression(inner, result.nodes, named);
                 result.nodes.push_back(std::move(inner));
             }
             named.push_back(is_root && node.compound != drawn.index);

@@ -34,7 +34,7 @@ struct SceneMaterial {
 struct SceneGeneric {
     std::string name; ///< may be empty in files that do not name (NFF)
     Generic<double> shape;
-    Mat4d matrix{1};                 ///< object → world (or → the compound's space)
+    Mat4d matrix{1};                     ///< object → world (or → the compound's space)
     std::optional<std::size_t> material; ///< index into materials; needed where it is drawn by itself
     int priority = 0;
     bool visible = true; ///< drawn by itself
@@ -87,7 +87,7 @@ struct Scene {
     std::vector<SceneMaterial> materials;
     std::vector<SceneGeneric> generics;
     std::vector<SceneCompound> compounds;
-    std::vector<SceneObject> drawn; ///< what the rays can hit
+    std::vector<SceneObject> drawn;    ///< what the rays can hit
     std::vector<std::string> warnings; ///< "file:line:column: message", for a person to read
 };
 

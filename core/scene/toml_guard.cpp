@@ -10,28 +10,6 @@
 namespace rayscope {
 namespace {
 
-// Offset behind a string that begins at `offset`. Where the quotes are not closed the library stops anyway.
-std::size_t skip_string(std::string_view text, std::size_t offset) {
-    const char quote = text[offset];
-    const std::string_view three = quote == '"' ? "\"\"\"" : "'''";
-    const bool long_form = text.substr(offset).starts_with(three);
-    std::size_t i = offset + (long_form ? 3 : 1);
-    for (; i < text.size(); ++i) {
-        if (text[i] == '\\' && quote == '"') {
-            ++i;
-        } else if (long_form) {
-            if (text.substr(i).starts_with(three)) {
-                // Up to two more quotes belong to the value.
-                while (i + 3 < text.size() && text[i + 3] == quote) ++i;
-                return i + 3;
-            }
-        } else if (text[i] == quote || text[i] == '\n') {
-            return i + 1;
-        }
-    }
-    return text.size();
-}
-
 bool is_one_of(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
 
 // A reader of TOML's brackets, commas and equals signs. It only has to agree with the library up to the first
@@ -46,7 +24,7 @@ public:
             const char c = text_[i_];
             if (is_one_of(c, "\"'[{")) check_before_opening();
             if (c == '"' || c == '\'')
-                i_ = skip_string(text_, i_);
+                skip_string(c);
             else if (c == '#')
                 i_ = std::min(text_.find('\n', i_), text_.size());
             else
@@ -58,8 +36,34 @@ public:
 private:
     [[noreturn]] void fail(const std::string& message) const { source_.fail(source_.place_at(i_), message); }
 
+    // To the offset behind the string that begins here. Where its quotes are not closed the library stops anyway.
+    void skip_string(char quote) {
+        const std::string_view three = quote == '"' ? "\"\"\"" : "'''";
+        const bool long_form = text_.substr(i_).starts_with(three);
+        for (i_ += long_form ? 3 : 1; i_ < text_.size(); ++i_) {
+            const char c = text_[i_];
+            if (c == '\\' && quote == '"') {
+                check_escape();
+                ++i_;
+            } else if (long_form ? text_.substr(i_).starts_with(three) : c == quote || c == '\n') {
+                i_ += long_form ? 3 : 1;
+                // Up to two more quotes belong to the value.
+                while (long_form && i_ < text_.size() && text_[i_] == quote) ++i_;
+                return;
+            }
+        }
+        i_ = text_.size();
+    }
+
+    void check_escape() const {
+        const std::size_t next = std::min(text_.find_first_not_of(" \t\r\n", i_ + 1), text_.size());
+        if (utf8_length(text_.substr(next)) > 1)
+            fail("expected an escape sequence, or blanks and an ASCII character, after this backslash");
+    }
+
     // Of a word that it can't read, the library looks at all characters up to a blank, comma or closing bracket.
     void check_before_opening() const {
+        if (before_ == '.') fail("expected a name without quotes: a letter or _, then letters, digits or _");
         if (!is_one_of(before_, " \t\r\n=,[{"))
             fail(fmt::format("unexpected {}: expected a blank, =, comma or bracket before it",
                              in_quotes(text_.substr(i_, 1))));
@@ -79,13 +83,11 @@ private:
         if (is_one_of(c, "=,[{\n")) dots_ = 0;
         if (dots_ > most_dots)
             fail(fmt::format("this key has more than {} dots; a scene needs 2", most_dots));
-        line_begins_ = c == '\n' || (line_begins_ && is_one_of(c, " \t\r"));
         ++i_;
     }
 
     void open(char bracket) {
-        if (bracket == '[' && line_begins_ && open_.empty()) check_header();
-        open_.push_back({bracket, in_value_});
+        open_.push_back({bracket, in_value_, i_});
         in_value_ = bracket == '['; // in a list, every word is a value
         if (open_.size() > most_brackets)
             fail(fmt::format("brackets are nested more than {} deep; a scene needs 4", most_brackets));
@@ -97,26 +99,17 @@ private:
     }
 
     void begin_value() {
-        const bool in_list = !open_.empty() && open_.back().kind == '[';
-        if (in_value_ || in_list) fail("unexpected '=': expected a value");
+        if (!open_.empty() && open_.back().kind == '[')
+            fail(fmt::format("unexpected '=' in the list that begins in line {}: is its ']' missing?",
+                             source_.place_at(open_.back().offset).line));
+        if (in_value_) fail("unexpected '=': expected a value");
         in_value_ = true;
-    }
-
-    // From the first bracket of a table's header to what must be its name.
-    void check_header() {
-        std::size_t i = i_ + (text_.substr(i_).starts_with("[[") ? 2 : 1);
-        while (i < text_.size() && is_one_of(text_[i], " \t")) ++i;
-        const auto named = [](char c) {
-            return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
-                   is_one_of(c, "\"'_-]");
-        };
-        if (i < text_.size() && !named(text_[i]))
-            source_.fail(source_.place_at(i), "expected the name of a table after '['");
     }
 
     struct Bracket {
         char kind = '[';
         bool in_value = false; // what surrounds it
+        std::size_t offset = 0;
     };
 
     const SourceText& source_;
@@ -124,7 +117,7 @@ private:
     std::size_t i_ = 0;
     char before_ = '\n'; // the character, or the string's first quote, that came before
     int dots_ = 0;
-    bool line_begins_ = true, in_value_ = false;
+    bool in_value_ = false;
     std::vector<Bracket> open_;
 };
 

@@ -47,7 +47,8 @@ void TomlValue::fail_type(std::string_view expected) const {
 
 double TomlValue::number(const Bounds& bounds) const {
     if (!node_->is_number()) fail_type(wording(bounds));
-    const double x = *node_->value<double>();
+    // Not the library's own conversion: it refuses integers that a double rounds.
+    const double x = node_->is_integer() ? double(**node_->as_integer()) : **node_->as_floating_point();
     if (!within(x, bounds)) fail(fmt::format("'{}': expected {}, found {}", name_, wording(bounds), x));
     return x;
 }

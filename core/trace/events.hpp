@@ -29,8 +29,8 @@ enum class Reason : std::uint8_t {
 /// One end of an inside interval as it is recorded. An unbounded end has t = ±inf and leaf none.
 struct Boundary {
     double t = 0;
-    Id leaf = none; ///< the generic whose surface it is: index into Trace::generics
-    int face = 0;   ///< which of its faces (see generics)
+    Id leaf = none;       ///< the generic whose surface it is: index into Trace::generics
+    int face = 0;         ///< which of its faces (see generics)
     bool flipped = false; ///< the surface belongs to a subtracted part: its normal is turned
 };
 
@@ -38,13 +38,13 @@ struct Boundary {
 struct RaySpawned {
     RayKind kind = RayKind::eye;
     int depth = 0;
-    Colour weight{1};             ///< share of the pixel that the ray carries, per colour; the largest is "the" weight
+    Colour weight{1}; ///< share of the pixel that the ray carries, per colour; the largest is "the" weight
     Vec3d origin{0}, direction{0}; ///< as traced: unit, but for a ray given by hand before it is normalized
-    double reach = 0;             ///< crossings beyond this t do not count (shadow rays: distance to the light)
-    Id medium = none;             ///< the medium it travels in: index into Trace::media
-    Id light = none;              ///< shadow rays: the light that they ask for
-    Id left_object = none;        ///< secondary rays: the object whose surface they leave …
-    double left_bound = 0;        ///< … and how far, at most, the start may lie from it (world length)
+    double reach = 0;      ///< crossings beyond this t do not count (shadow rays: distance to the light)
+    Id medium = none;      ///< the medium it travels in: index into Trace::media
+    Id light = none;       ///< shadow rays: the light that they ask for
+    Id left_object = none; ///< secondary rays: the object whose surface they leave …
+    double left_bound = 0; ///< … and how far, at most, the start may lie from it (world length)
 };
 
 /// An object was tested and has a crossing that counts. Objects without one are only counted (RayFinished).
@@ -79,10 +79,10 @@ struct BoundaryChosen {
     Id object = none;
     Boundary boundary;
     bool entering = false;
-    double error_bound = 0;      ///< |t − exact t| is at most this
+    double error_bound = 0; ///< |t − exact t| is at most this
     Vec3d point{0};
-    Vec3d normal{0};             ///< unit, outward from the object
-    Vec3d facing{0};             ///< the normal turned against the ray
+    Vec3d normal{0}; ///< unit, outward from the object
+    Vec3d facing{0}; ///< the normal turned against the ray
     Id medium_from = none, medium_to = none;
     double speed_from = 1, speed_to = 1;
 };
@@ -99,12 +99,12 @@ struct AmbientLit {
 /// The diffuse and the specular term of one light.
 struct LightLit {
     Id light = none;
-    Vec3d to_light{0};       ///< unit
-    double cosine = 0;       ///< n·l; the light is behind the surface if it is not positive
+    Vec3d to_light{0};        ///< unit
+    double cosine = 0;        ///< n·l; the light is behind the surface if it is not positive
     double mirror_cosine = 0; ///< r·v
     double shininess = 0;
-    Colour intensity{0};     ///< of the light
-    Colour visibility{1};    ///< what blockers leave of it
+    Colour intensity{0};  ///< of the light
+    Colour visibility{1}; ///< what blockers leave of it
     Colour diffuse_coefficient{0}, specular_coefficient{0};
     Colour diffuse{0}, specular{0}; ///< the two terms
 };
@@ -158,9 +158,8 @@ struct RayFinished {
     int rejected = 0; ///< … of which without a crossing that counts
 };
 
-using Event =
-    std::variant<RaySpawned, ObjectAccepted, NodeEvaluated, SpanFound, ClusterMerged, BoundaryChosen, Missed,
-                 AmbientLit, LightLit, LocalLightSkipped, BlockerPassed, Reflected, Refracted, TotallyReflected,
-                 NotSpawned, RayFinished>;
+using Event = std::variant<RaySpawned, ObjectAccepted, NodeEvaluated, SpanFound, ClusterMerged,
+                           BoundaryChosen, Missed, AmbientLit, LightLit, LocalLightSkipped, BlockerPassed,
+                           Reflected, Refracted, TotallyReflected, NotSpawned, RayFinished>;
 
 } // namespace rayscope

@@ -13,7 +13,7 @@ struct NullRecorder {
 
 /// Builds the tree of rays while they are traced. Object, medium and solid ids in its events are the world's.
 class TraceRecorder {
-  public:
+public:
     static constexpr bool enabled = true;
 
     /// @param max_events what comes after so many is dropped and counted
@@ -26,7 +26,7 @@ class TraceRecorder {
     [[nodiscard]] std::size_t dropped() const { return dropped_; }
     [[nodiscard]] std::vector<TracedRay> take() { return std::move(rays_); }
 
-  private:
+private:
     std::size_t capacity_, kept_ = 0, dropped_ = 0;
     std::vector<TracedRay> rays_;
     std::vector<int> open_; // from the first ray to the current one; none = dropped

@@ -28,10 +28,10 @@ struct TracedRay {
 
 /// Which ray was traced: a sample of a pixel, or a ray given by hand.
 struct TraceSource {
-    std::string scene;      ///< path of the scene file
+    std::string scene; ///< path of the scene file
     bool by_hand = false;
     int x = 0, y = 0, sample = 0; ///< pixel and sample, unless by hand
-    double given_length = 1; ///< |d| of a ray given by hand; its shading uses the normalized copy
+    double given_length = 1;      ///< |d| of a ray given by hand; its shading uses the normalized copy
 };
 
 struct TraceNode {
@@ -67,8 +67,8 @@ struct Trace {
     std::vector<std::string> generics;
     std::vector<TraceMedium> media;
     std::vector<TraceLight> lights;
-    std::vector<TracedRay> rays; ///< rays[0] is the first one; a child comes after its parent
-    Colour colour{0};            ///< of the whole sample, linear
+    std::vector<TracedRay> rays;    ///< rays[0] is the first one; a child comes after its parent
+    Colour colour{0};               ///< of the whole sample, linear
     std::size_t events_dropped = 0; ///< > 0: the cap on events was met, the tree is cut there
 };
 

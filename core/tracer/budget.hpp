@@ -11,7 +11,8 @@ namespace rayscope {
 struct Budget {
     int depth = 0;
     Colour weight{1}; ///< share of the pixel, per colour: the product of the coefficients on the way
-    std::int64_t medium = -1; ///< that it travels in, for the record alone: shading reads the media at each boundary
+    std::int64_t medium =
+        -1; ///< that it travels in, for the record alone: shading reads the media at each boundary
 
     [[nodiscard]] Budget after(const Colour& coefficient, std::int64_t next_medium = -1) const {
         return {depth + 1, weight * coefficient, next_medium};

@@ -14,10 +14,10 @@ template <Scalar T> struct Interaction {
     T error_bound;    ///< of t
     MediaPair media;
     T speed_from = T(1), speed_to = T(1);
-    Leaving<T> back;    ///< what a ray that stays on this side leaves
-    Leaving<T> through; ///< what a ray that goes on leaves
-    const Material* material;  ///< reflection, transmission, speed: the object's
-    const Material* wall;      ///< ambient, diffuse, specular: the operand's own, where it has one
+    Leaving<T> back;          ///< what a ray that stays on this side leaves
+    Leaving<T> through;       ///< what a ray that goes on leaves
+    const Material* material; ///< reflection, transmission, speed: the object's
+    const Material* wall;     ///< ambient, diffuse, specular: the operand's own, where it has one
 
     /// The ray leaves, through its own boundary, a solid that transmits light: its inner wall is not lit.
     bool leaves_transmitting_solid = false;
@@ -28,7 +28,8 @@ template <Scalar T>
 [[nodiscard]] Vec3<T> shading_normal(const World<T>& world, const Ray<T>& ray, const Hit<T>& hit) {
     const Solid<T>& solid = world.solids[hit.surface.solid];
     Vec3<T> n = solid.normal(ray, hit.t, hit.surface.face);
-    if (const auto* polygon = std::get_if<Polygon<T>>(&solid.shape); polygon != nullptr && polygon->smooth()) {
+    if (const auto* polygon = std::get_if<Polygon<T>>(&solid.shape);
+        polygon != nullptr && polygon->smooth()) {
         const Vec3<T> smooth = solid.transform.normal_to_world(
             polygon->shading_normal(solid.transform.to_object(ray).at(hit.t)));
         // Where the smooth normal would turn away from the ray it can't be used: the eye sees the front.
@@ -43,12 +44,13 @@ template <Scalar T>
     Interaction<T> at{};
     at.media = {medium, medium};
     const Object& object = world.objects[hit.object];
-    const Solid<T>& solid = world.solids[hit.surface.solid];
     at.hit = hit;
+    at.hit.surface = owner(world, ray, hit, leaving.of(hit.object), work);
+    const Solid<T>& solid = world.solids[at.hit.surface.solid];
     at.point = ray.at(hit.t);
     at.incoming = normalized(ray.direction);
-    at.normal = shading_normal(world, ray, hit);
-    at.error_bound = solid.error_bound(ray, hit.t, hit.surface.face);
+    at.normal = shading_normal(world, ray, at.hit);
+    at.error_bound = solid.error_bound(ray, hit.t, at.hit.surface.face);
     at.material = &world.material_of(object);
     at.wall = &world.materials[solid.material];
     const T along = dot(at.normal, at.incoming);
@@ -57,11 +59,11 @@ template <Scalar T>
 
     // The distance along the normal stays small where a graze makes the bound of t large.
     at.back.bound = at.through.bound = at.error_bound * magnitude(dot(at.normal, ray.direction));
-    at.back.add({hit.object, hit.surface, !hit.entering});
-    at.through.add({hit.object, hit.surface, hit.entering});
+    at.back.add({hit.object, at.hit.surface, !hit.entering});
+    at.through.add({hit.object, at.hit.surface, hit.entering});
     at.leaves_transmitting_solid = object.has_volume && !hit.entering && at.material->transmits();
     if (at.material->transmits()) {
-        at.media = media_at(world, ray, hit, leaving, at.through, work);
+        at.media = media_at(world, ray, at.hit, leaving, at.through, work);
         at.speed_from = speed_in(world, at.media.from);
         at.speed_to = speed_in(world, at.media.to);
         for (int i = 1; i < at.through.count; ++i) {

@@ -1,7 +1,7 @@
 #pragma once
 // Which media meet at a boundary, read from the inside lists.
 
-#include "core/world/work.hpp"
+#include "core/world/inside_list.hpp"
 
 namespace rayscope {
 
@@ -21,15 +21,16 @@ template <Scalar T> [[nodiscard]] T speed_in(const World<T>& world, std::int64_t
 /// Of all transmitting objects that contain a point, the one with the highest priority is its medium; among equals the
 /// last in the file. Offered one after the other.
 class Containing {
-  public:
+public:
     void offer(std::int32_t priority, std::uint32_t object) {
-        if (object_ != outer_medium && (priority < priority_ || (priority == priority_ && object < object_))) return;
+        if (object_ != outer_medium && (priority < priority_ || (priority == priority_ && object < object_)))
+            return;
         priority_ = priority;
         object_ = object;
     }
     [[nodiscard]] std::int64_t medium() const { return object_; }
 
-  private:
+private:
     std::int32_t priority_ = 0;
     std::int64_t object_ = outer_medium;
 };
@@ -52,7 +53,7 @@ template <Scalar T>
     for (const std::uint32_t other : world.media.of(hit.object)) {
         if (other == hit.object) continue;
         bool inside = false, inside_before = false, met = false;
-        for (const Crossing<T>& c : crossings(world, other, ray, leaving.of(other), work.scratch)) {
+        for (const Crossing<T>& c : crossings(world, other, ray, leaving.of(other), work)) {
             const bool same_place = magnitude(c.t - hit.t) <= own_bound + error_bound(world, ray, c);
             if (!same_place && c.t > hit.t) break;
             if (same_place && !met) {
@@ -75,7 +76,7 @@ template <Scalar T>
     Containing here;
     for (const std::uint32_t object : world.media.all()) {
         bool inside = false;
-        for (const Crossing<T>& c : crossings(world, object, ray, nullptr, work.scratch)) {
+        for (const Crossing<T>& c : crossings(world, object, ray, nullptr, work)) {
             if (c.t > T(0)) break;
             inside = c.entering;
         }

@@ -25,7 +25,7 @@ double cpu_seconds() {
 
 // Tells the caller how far the render is, a hundred times at most.
 class Progress {
-  public:
+public:
     Progress(const std::function<void(double)>& report, int rows) : report_(report), total_(rows) {}
     void add(int pixels) {
         if (!report_) return;
@@ -36,7 +36,7 @@ class Progress {
         report_(double(done_) / double(total_));
     }
 
-  private:
+private:
     const std::function<void(double)>& report_;
     std::mutex mutex_;
     std::int64_t total_, done_ = 0, told_ = -1;
@@ -56,8 +56,12 @@ RenderResult render(const World<double>& world, const Camera& camera, const Rend
     tbb::enumerable_thread_specific<Work<double>> works;
     Progress progress(options.progress, width * height);
     std::atomic<bool> complete = true;
+    // What fork and join guarantee, once more where ThreadSanitizer, which can't see into TBB, finds it.
+    std::atomic<int> begun = 0, finished = 0;
+    begun.store(1, std::memory_order_release);
 
     const auto render_tile = [&](const tbb::blocked_range2d<int>& pixels) {
+        (void)begun.load(std::memory_order_acquire);
         if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed)) {
             complete = false;
             return;
@@ -68,6 +72,7 @@ RenderResult render(const World<double>& world, const Camera& camera, const Rend
             for (int x = pixels.cols().begin(); x < pixels.cols().end(); ++x)
                 result.image.set(x, y, tracer.trace(eye_rays.through(x + 0.5, y + 0.5)));
         progress.add(int(pixels.rows().size() * pixels.cols().size()));
+        finished.fetch_add(1, std::memory_order_release);
     };
     const auto threads = options.threads > 0 ? options.threads : tbb::task_arena::automatic;
     const tbb::global_control allow(tbb::global_control::max_allowed_parallelism,
@@ -76,6 +81,7 @@ RenderResult render(const World<double>& world, const Camera& camera, const Rend
         tbb::parallel_for(tbb::blocked_range2d<int>(0, height, tile, 0, width, tile), render_tile,
                           tbb::simple_partitioner());
     });
+    (void)finished.load(std::memory_order_acquire);
 
     for (const Work<double>& work : works) result.statistics.counters += work.counters;
     result.statistics.cpu_seconds = cpu_seconds() - cpu_start;

@@ -32,7 +32,8 @@ struct RenderResult {
 };
 
 /// One sample in the middle of each pixel. The same bytes for any number of threads.
-[[nodiscard]] RenderResult render(const World<double>& world, const Camera& camera, const RenderOptions& options);
+[[nodiscard]] RenderResult render(const World<double>& world, const Camera& camera,
+                                  const RenderOptions& options);
 
 /// One ray with everything that it does; object, medium and solid ids are the world's.
 struct Recording {

@@ -44,9 +44,9 @@ Colour Tracer<T, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& le
         const Colour both = at.material->reflection + at.material->transmission;
         ++work_.counters.total_reflections;
         if constexpr (Recorder::enabled)
-            recorder_.record(TotallyReflected{both, bent.theta_from(),
-                                              critical_angle(at.speed_from, at.speed_to).value_or(not_a_number),
-                                              bent.eta});
+            recorder_.record(TotallyReflected{
+                both, bent.theta_from(), critical_angle(at.speed_from, at.speed_to).value_or(not_a_number),
+                bent.eta});
         colour += mirrored_light(at, both, budget);
     } else {
         colour += mirrored_light(at, at.material->reflection, budget);
@@ -84,7 +84,8 @@ Colour Tracer<T, Stage, Recorder>::light_from(Id id, const Interaction<T>& at, c
     const Colour arriving = light.colour * seen;
     if constexpr (Recorder::enabled)
         recorder_.record(LightLit{id, to_light, cosine, mirror, at.wall->shininess, light.colour, seen,
-                                  at.wall->diffuse, at.wall->specular, diffuse * arriving, specular * arriving});
+                                  at.wall->diffuse, at.wall->specular, diffuse * arriving,
+                                  specular * arriving});
     return diffuse * arriving + specular * arriving;
 }
 
@@ -121,7 +122,8 @@ Colour Tracer<T, Stage, Recorder>::mirrored_light(const Interaction<T>& at, cons
     const Vec3<T> direction = mirrored(at.incoming, at.facing);
     if constexpr (Recorder::enabled)
         recorder_.record(Reflected{
-            coefficient, std::atan2(length(cross(at.incoming, at.facing)), -dot(at.incoming, at.facing)), direction});
+            coefficient, std::atan2(length(cross(at.incoming, at.facing)), -dot(at.incoming, at.facing)),
+            direction});
     return follow({RayKind::reflected, coefficient, direction, at.back, at.media.from}, at, budget);
 }
 
@@ -135,8 +137,8 @@ Colour Tracer<T, Stage, Recorder>::transmitted_light(const Interaction<T>& at, c
     }
     if constexpr (Recorder::enabled)
         recorder_.record(Refracted{transmission, bent.theta_from(), bent.theta_to(),
-                                   critical_angle(at.speed_from, at.speed_to).value_or(not_a_number), bent.eta,
-                                   bent.direction});
+                                   critical_angle(at.speed_from, at.speed_to).value_or(not_a_number),
+                                   bent.eta, bent.direction});
     return follow({RayKind::refracted, transmission, bent.direction, at.through, at.media.to}, at, budget);
 }
 

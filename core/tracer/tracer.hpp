@@ -12,15 +12,18 @@ namespace rayscope {
 
 /// Follows rays through a world. One tracer serves one thread.
 template <Scalar T, typename Stage, typename Recorder> class Tracer {
-  public:
+public:
     Tracer(const World<T>& world, const Stage& stage, Work<T>& work, Recorder& recorder)
-        : world_(world), stage_(stage), work_(work), recorder_(recorder),
+        : world_(world),
+          stage_(stage),
+          work_(work),
+          recorder_(recorder),
           limits_{world.max_depth, world.min_weight} {}
 
     /// The light that comes back along an eye ray, linear RGB.
     [[nodiscard]] Colour trace(const Ray<T>& ray);
 
-  private:
+private:
     /// A ray that the material asks for.
     struct Continuation {
         RayKind kind;
@@ -35,7 +38,8 @@ template <Scalar T, typename Stage, typename Recorder> class Tracer {
     [[nodiscard]] Colour light_from(Id light, const Interaction<T>& at, const Budget& budget);
     [[nodiscard]] Colour visibility(Id light, const Vec3<T>& to_light, T distance, const Interaction<T>& at,
                                     const Budget& budget);
-    [[nodiscard]] Colour mirrored_light(const Interaction<T>& at, const Colour& coefficient, const Budget& budget);
+    [[nodiscard]] Colour mirrored_light(const Interaction<T>& at, const Colour& coefficient,
+                                        const Budget& budget);
     [[nodiscard]] Colour transmitted_light(const Interaction<T>& at, const Refraction<T>& bent,
                                            const Budget& budget);
     [[nodiscard]] Colour follow(const Continuation& next, const Interaction<T>& at, const Budget& budget);

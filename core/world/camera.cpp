@@ -5,7 +5,9 @@
 namespace rayscope {
 
 EyeRays::EyeRays(const Camera& camera, int width, int height)
-    : eye_(camera.eye), forward_(normalized(camera.look_at - camera.eye)), centre_x_(0.5 * width),
+    : eye_(camera.eye),
+      forward_(normalized(camera.look_at - camera.eye)),
+      centre_x_(0.5 * width),
       centre_y_(0.5 * height) {
     const double half_angle = camera.field_of_view * std::numbers::pi / 360;
     const double pixel = 2 * std::tan(half_angle) / height;

@@ -13,13 +13,13 @@ struct Camera {
 
 /// The eye rays of an image of width × height pixels: unit directions, pixel (0, 0) top left.
 class EyeRays {
-  public:
+public:
     EyeRays(const Camera& camera, int width, int height);
 
     /// Through the point (x, y) in pixels; the middle of pixel (i, j) is (i + ½, j + ½).
     [[nodiscard]] Ray<double> through(double x, double y) const;
 
-  private:
+private:
     Vec3d eye_, forward_, right_, down_; // right_ and down_ are one pixel long, at distance 1
     double centre_x_, centre_y_;
 };

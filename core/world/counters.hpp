@@ -9,10 +9,11 @@
 namespace rayscope {
 
 struct Counters {
-    std::array<std::uint64_t, 4> rays{};              ///< by RayKind
-    std::array<std::uint64_t, generic_kinds> tests{}; ///< solids tested, by Generic::index(), operands included
-    std::uint64_t objects = 0;                        ///< objects tested, a compound being one
-    std::uint64_t compounds = 0;                      ///< of which compounds
+    std::array<std::uint64_t, 4> rays{}; ///< by RayKind
+    std::array<std::uint64_t, generic_kinds>
+        tests{};                 ///< solids tested, by Generic::index(), operands included
+    std::uint64_t objects = 0;   ///< objects tested, a compound being one
+    std::uint64_t compounds = 0; ///< of which compounds
     std::uint64_t cut_by_depth = 0, cut_by_weight = 0, cut_by_ray_limit = 0; ///< rays not followed
     std::uint64_t total_reflections = 0;
 

@@ -2,33 +2,23 @@
 // The crossings of one object of the world with one ray.
 
 #include "core/csg/clusters.hpp"
+#include "core/world/work.hpp"
 #include "core/world/world.hpp"
 
 namespace rayscope {
 
-/// The surface on which a secondary ray starts, and on which side of its object it runs.
-struct LeavingSurface {
-    std::uint32_t object = 0;
-    Surface surface;
-    bool starts_inside = false;
-
-    /// The face, if it is one of this solid's.
-    [[nodiscard]] int face_of(std::uint32_t solid) const { return surface.solid == solid ? surface.face : no_face; }
-};
-
-/// Working memory for one thread.
-template <Scalar T> using Scratch = SpanStack<T>;
-
 /// Appends a solid's inside list to the open top list.
 /// A surface without volume is a single crossing: it is met, never inside.
 template <Scalar T>
-void append_crossings(const World<T>& world, std::uint32_t solid, const Ray<T>& ray, const LeavingSurface* leaving,
-                      Scratch<T>& scratch) {
+void append_crossings(const World<T>& world, std::uint32_t solid, const Ray<T>& ray,
+                      const LeavingSurface* leaving, Work<T>& work) {
     const Solid<T>& s = world.solids[solid];
-    for (const Interval<T>& inside : s.intervals(ray, leaving != nullptr ? leaving->face_of(solid) : no_face)) {
-        scratch.append({inside.enter, {solid, std::uint16_t(inside.enter_face), false}, true});
+    ++work.counters.tests[s.shape.index()];
+    for (const Interval<T>& inside :
+         s.intervals(ray, leaving != nullptr ? leaving->face_of(solid) : no_face)) {
+        work.scratch.append({inside.enter, {solid, std::uint16_t(inside.enter_face), false}, true});
         if (inside.enter < inside.exit)
-            scratch.append({inside.exit, {solid, std::uint16_t(inside.exit_face), false}, false});
+            work.scratch.append({inside.exit, {solid, std::uint16_t(inside.exit_face), false}, false});
     }
 }
 
@@ -42,7 +32,7 @@ inline constexpr auto unrecorded = [](const auto&) {};
 
 /// Merges coincident crossings of the list on top of the scratch, which is a compound's result.
 template <Scalar T, typename Merged>
-void settle(const World<T>& world, const Ray<T>& ray, Scratch<T>& scratch, const Merged& merged) {
+void settle(const World<T>& world, const Ray<T>& ray, SpanStack<T>& scratch, const Merged& merged) {
     if (scratch.top_size() < 2) return;
     const std::span list(scratch.top_begin(), scratch.top_size());
     scratch.resize_top(
@@ -53,18 +43,44 @@ void settle(const World<T>& world, const Ray<T>& ray, Scratch<T>& scratch, const
 template <Scalar T>
 [[nodiscard]] std::span<const Crossing<T>> crossings(const World<T>& world, std::uint32_t object,
                                                      const Ray<T>& ray, const LeavingSurface* leaving,
-                                                     Scratch<T>& scratch) {
+                                                     Work<T>& work) {
     const Object& o = world.objects[object];
+    ++work.counters.objects;
     if (o.is_compound) {
-        run(std::span<const Instruction>(world.compounds[o.index].program), scratch,
-            [&](std::uint32_t solid) { append_crossings(world, solid, ray, leaving, scratch); });
-        settle(world, ray, scratch, unrecorded);
+        ++work.counters.compounds;
+        run(std::span<const Instruction>(world.compounds[o.index].program), work.scratch,
+            [&](std::uint32_t solid) { append_crossings(world, solid, ray, leaving, work); });
+        settle(world, ray, work.scratch, unrecorded);
     } else {
-        scratch.clear();
-        scratch.push();
-        append_crossings(world, o.index, ray, leaving, scratch);
+        work.scratch.clear();
+        work.scratch.push();
+        append_crossings(world, o.index, ray, leaving, work);
     }
-    return {scratch.top_begin(), scratch.top_size()};
+    return {work.scratch.top_begin(), work.scratch.top_size()};
+}
+
+/// The surface that a hit belongs to. Where faces of several operands coincide, rounding decides which of them the
+/// crossing at t came from, and neighbouring pixels would show now one material, now the other. So the crossings that
+/// can't be told from the hit are put at its t, where the sweep's rule holds: the left operand has the face.
+template <Scalar T>
+[[nodiscard]] Surface owner(const World<T>& world, const Ray<T>& ray, const Hit<T>& hit,
+                            const LeavingSurface* leaving, Work<T>& work) {
+    const Object& o = world.objects[hit.object];
+    if (!o.is_compound || !world.compounds[o.index].mixed_materials) return hit.surface;
+    const T bound = error_bound(world, ray, Crossing<T>{hit.t, hit.surface, hit.entering});
+    run(std::span<const Instruction>(world.compounds[o.index].program), work.scratch,
+        [&](std::uint32_t solid) {
+            append_crossings(world, solid, ray, leaving, work);
+            for (std::size_t i = 0; i < work.scratch.top_size(); ++i) {
+                Crossing<T>& crossing = work.scratch.top_begin()[i];
+                if (magnitude(crossing.t - hit.t) <= bound + error_bound(world, ray, crossing))
+                    crossing.t = hit.t;
+            }
+        });
+    const std::span list(work.scratch.top_begin(), work.scratch.top_size());
+    for (const Crossing<T>& crossing : list)
+        if (crossing.t == hit.t && crossing.entering == hit.entering) return crossing.surface;
+    return hit.surface;
 }
 
 /// The first crossing in the range, or nullptr. Where the ray starts on this object, a crossing at its very start that

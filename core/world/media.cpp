@@ -30,8 +30,10 @@ MediaNeighbours::MediaNeighbours(std::vector<std::uint32_t> transmitting, std::s
 
     std::vector<std::vector<std::uint32_t>> found(all_.size());
     const auto note = [&](std::uint32_t of, std::uint32_t other) {
-        if (found[of].size() == crowd) crowded_[of] = true;
-        else found[of].push_back(all_[other]);
+        if (found[of].size() == crowd)
+            crowded_[of] = true;
+        else
+            found[of].push_back(all_[other]);
     };
     std::vector<std::uint32_t> open; // boxes that the sweep is in
     for (const std::uint32_t next : order) {

@@ -11,7 +11,7 @@ namespace rayscope {
 
 /// For each transmitting object the other transmitting objects whose extents overlap its own.
 class MediaNeighbours {
-  public:
+public:
     MediaNeighbours() = default;
     /// @param transmitting ids of the objects with transmission > 0 and a volume, ascending
     /// @param bounds their extents, in the same order
@@ -24,7 +24,7 @@ class MediaNeighbours {
     /// transmit, or that meets very many, gets all of them.
     [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t object) const;
 
-  private:
+private:
     std::vector<std::uint32_t> all_;
     std::vector<std::uint32_t> starts_; // per entry of all_, into neighbours_
     std::vector<std::uint32_t> neighbours_;

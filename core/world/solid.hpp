@@ -11,11 +11,14 @@ template <Scalar T> struct Solid {
     Transform<T> transform;
     std::uint32_t object = 0;   ///< index into World::objects
     std::uint32_t material = 0; ///< local light of its walls: index into World::materials
-    bool is_ball = false;       ///< a sphere in world space: its transform is a translation, its radius the world's
+    bool is_ball = false; ///< a sphere in world space: its transform is a translation, its radius the world's
 
     /// The inside list on a world ray's whole line: the ray is moved, t is the same in both spaces.
     /// @param leaving the face on which the ray starts: its crossing is then t = 0 exactly; or no_face
     [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const {
+        if (is_ball)
+            return std::get<Sphere<T>>(shape).intervals({ray.origin - transform.translation(), ray.direction},
+                                                        leaving);
         const Ray<T> moved = transform.to_object(ray);
         return std::visit([&](const auto& s) { return s.intervals(moved, leaving); }, shape);
     }

@@ -1,8 +1,8 @@
 #pragma once
 // What one thread needs to look for hits.
 
+#include "core/csg/sweep.hpp"
 #include "core/world/counters.hpp"
-#include "core/world/inside_list.hpp"
 
 namespace rayscope {
 
@@ -16,6 +16,18 @@ template <Scalar T> struct Hit {
     /// Least t; on a tie the object that is first in the file.
     [[nodiscard]] bool precedes(const Hit& other) const {
         return t < other.t || (t == other.t && object < other.object);
+    }
+};
+
+/// The surface on which a secondary ray starts, and on which side of its object it runs.
+struct LeavingSurface {
+    std::uint32_t object = 0;
+    Surface surface;
+    bool starts_inside = false;
+
+    /// The face, if it is one of this solid's.
+    [[nodiscard]] int face_of(std::uint32_t solid) const {
+        return surface.solid == solid ? surface.face : no_face;
     }
 };
 
@@ -42,7 +54,7 @@ template <Scalar T> struct Blocker {
 };
 
 template <Scalar T> struct Work {
-    Scratch<T> scratch;
+    SpanStack<T> scratch;
     std::vector<Blocker<T>> blockers;
     Counters counters;
 };

@@ -28,6 +28,7 @@ struct Light {
 struct Compound {
     std::vector<CompoundNode> nodes; ///< the author's tree in postfix order
     Program program;                 ///< the same, regrouped
+    bool mixed_materials = false;    ///< its walls do not all look the same
 };
 
 /// What a ray can hit: a solid, or a compound of solids. Its index is its id, in the order of the file.
@@ -59,8 +60,12 @@ template <Scalar T> struct World {
     [[nodiscard]] bool is_ball(const Object& object) const {
         return !object.is_compound && solids[object.index].is_ball;
     }
-    [[nodiscard]] const Material& material_of(const Object& object) const { return materials[object.material]; }
-    [[nodiscard]] const Material& material_of(std::uint32_t object) const { return material_of(objects[object]); }
+    [[nodiscard]] const Material& material_of(const Object& object) const {
+        return materials[object.material];
+    }
+    [[nodiscard]] const Material& material_of(std::uint32_t object) const {
+        return material_of(objects[object]);
+    }
 };
 
 } // namespace rayscope

@@ -29,7 +29,7 @@ const std::map<std::string, Folders, std::less<>> stands_on = {
     {"bvh", {"world"}},
     {"tracer", {"extents", "octree", "bvh", "image"}},
     {"accuracy", {"tracer"}},
-    {"scene", {"world"}},
+    {"scene", {"world", "files"}},
     {"effects", {"scene"}},
 };
 

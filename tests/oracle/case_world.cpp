@@ -103,8 +103,7 @@ FoundEnd CaseWorld::end_from(const Crossing<double>& crossing) const {
 FoundSpans CaseWorld::spans() const {
     const auto lists = rayscope::spans(bench_, exact_.ray);
     FoundSpans found;
-    for (const Span<double>& span : lists.at(0))
-        found.push_back({end_from(span.enter), end_from(span.exit)});
+    for (const Span<double>& span : lists.at(0)) found.push_back({end_from(span.enter), end_from(span.exit)});
     return found;
 }
 

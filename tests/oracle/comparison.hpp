@@ -36,18 +36,23 @@ inline constexpr double allowed_share = 4.0 / 64.0;
 [[nodiscard]] Fault fault_in_spans(const LineCase& exact, const std::vector<ExactSpan>& spans,
                                    const FoundSpans& found, bool loose = false);
 
-/// The length on which exact and found spans differ; infinite where they differ far out.
-[[nodiscard]] double symmetric_difference(const LineCase& exact, const FoundSpans& found);
+/// A stretch of t.
+struct Piece {
+    long double from, to;
+};
+/// Where exact and found spans differ.
+[[nodiscard]] std::vector<Piece> symmetric_difference(const LineCase& exact, const FoundSpans& found);
 
-/// That length against the sum of all tolerances. A near miss has no exact hit and so no tolerance: the found ends'
-/// own error bounds stand in.
+/// The length of that against the sum of all tolerances. A near miss has no exact hit and so no tolerance: pieces whose
+/// middle lies on a surface, up to the error that decidability is about, do not count.
 [[nodiscard]] Fault fault_in_measure(const LineCase& exact, const FoundSpans& found);
 
 /// All of the above, as the case's flags ask for it.
 [[nodiscard]] Fault fault_in_case(const LineCase& exact, const FoundSpans& found);
 
-/// The normal is one of those of the surfaces that meet there; leaf, face and side are too, if `surfaces` is set.
-[[nodiscard]] Fault fault_in_end(const ExactBound& exact, const FoundEnd& found, bool surfaces);
+/// Leaf, face, side and normal are those of a surface that meets there; or of the same leaf's neighbouring face, where
+/// rounding can move the point across their edge.
+[[nodiscard]] Fault fault_in_end(const LineCase& exact, const ExactBound& bound, const FoundEnd& found);
 
 /// The exact bounds with their found ends, in order; empty where their numbers differ.
 struct MatchedEnd {

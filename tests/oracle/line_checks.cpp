@@ -39,14 +39,14 @@ std::vector<const ExactBound*> candidates(const std::vector<MatchedEnd>& ends, b
     return bounds;
 }
 
-Fault fault_in_first_hit(const std::vector<MatchedEnd>& ends, const std::optional<FoundEnd>& hit,
-                         bool surfaces) {
+Fault fault_in_first_hit(const LineCase& exact, const std::vector<MatchedEnd>& ends,
+                         const std::optional<FoundEnd>& hit) {
     bool required = false;
     const auto bounds = candidates(ends, required);
     if (!hit) return required ? Fault{"the traced ray misses"} : Fault{};
     for (const ExactBound* bound : bounds)
         if (bound->t.distance(hit->t) <= bound->tight_tolerance * allowed_share)
-            return fault_in_end(*bound, *hit, surfaces);
+            return fault_in_end(exact, *bound, *hit);
     return text("the traced ray ends at t = ", hex(hit->t));
 }
 
@@ -56,9 +56,6 @@ Fault fault_in_error_bound(const ExactBound& exact, const FoundEnd& found) {
     return text("at t = ", hex(found.t), " the error is ", hex(error), ", above its bound ",
                 hex(found.error_bound));
 }
-
-// A coincident face may belong to any of the surfaces that meet there; a cluster at the root can keep another one.
-bool surfaces_are_known(const LineCase& exact) { return exact.is_compound && exact.decidable; }
 
 bool is_inside(const std::vector<CaseToken>& program, bool inside_leaf) {
     std::vector<bool> stack;
@@ -126,7 +123,7 @@ void expect_spans(const std::vector<LineCase>& cases) {
 void expect_surfaces_and_normals(const std::vector<LineCase>& cases) {
     expect_no_fault(cases, [](const LineCase& exact, const CaseWorld&, const FoundSpans& found) {
         for (const auto& [bound, end] : comparable_ends(exact, found))
-            if (auto fault = fault_in_end(*bound, *end, surfaces_are_known(exact))) return fault;
+            if (auto fault = fault_in_end(exact, *bound, *end)) return fault;
         return Fault{};
     });
 }
@@ -136,7 +133,7 @@ void expect_first_hits(const std::vector<LineCase>& cases) {
         const auto hit = world.first_hit();
         if (hit && std::isnan(hit->t)) return Fault{"the traced ray ends at NaN"};
         if (!exact.decidable || exact.in_surface) return Fault{};
-        return fault_in_first_hit(comparable_ends(exact, found), hit, surfaces_are_known(exact));
+        return fault_in_first_hit(exact, comparable_ends(exact, found), hit);
     });
 }
 

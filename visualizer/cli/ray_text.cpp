@@ -52,8 +52,8 @@ void add_start(Page& page, const Trace& trace, int index, const StepStyle& style
                                : "t = " + number(start.reach) + ", the distance of the light");
     page.item("medium", medium_text(trace, start.medium, number));
     if (start.left_object != none)
-        page.item("leaves", object_name(trace, start.left_object) + "; that surface is ignored as far as " +
-                                number(start.left_bound) + " from the origin");
+        page.item("starts on", object_name(trace, start.left_object) + ", whose surface is ignored within " +
+                                   number(start.left_bound) + " of the origin");
 }
 
 void add_hit(Page& page, const Trace& trace, int index, const StepStyle& style) {

@@ -13,7 +13,7 @@ double total(const Colour& colour) { return colour.x + colour.y + colour.z; }
 /// "text = result", and the percentage at the right edge of its last line.
 void add_row(Page& page, const std::string& label, const std::string& product, const std::string& result,
              const std::string& share) {
-    constexpr std::size_t label_width = 21, share_width = 9;
+    constexpr std::size_t label_width = 24, share_width = 9;
     const std::string start =
         "  " + label + std::string(columns(label) < label_width ? label_width - columns(label) : 1, ' ');
     const std::size_t indent = columns(start);
@@ -51,7 +51,7 @@ void add_sum(Page& page, const Trace& trace, int index, const StepStyle& style) 
         if (other.start().kind == RayKind::shadow || brought == nullptr) continue;
         const Colour coefficient = coefficient_of(trace, child);
         page.item("+ " + style.paint.kind(other.start().kind, "ray " + std::to_string(child)),
-                  number.colour(coefficient) + " × " + number.colour(brought->colour) + " = " +
+                  number.colour(coefficient) + " × " + number.colour(brought->colour) + " =" + glue +
                       number.colour(coefficient * brought->colour));
     }
     page.item("= colour", style.paint.bold(number.colour(end->colour)));
@@ -77,7 +77,7 @@ std::string result_text(const Trace& trace, const StepStyle& style) {
             ++silent;
             continue;
         }
-        const std::string what = ray.find<Missed>() != nullptr ? ", backgr." : ", local";
+        const std::string what = ray.find<Missed>() != nullptr ? ", background" : ", local";
         add_row(page,
                 style.paint.kind(ray.start().kind, std::to_string(i) + " " + name_of(ray.start().kind)) +
                     what,

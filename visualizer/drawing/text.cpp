@@ -1,5 +1,6 @@
 #include "visualizer/drawing/text.hpp"
 
+#include <vtkStdString.h>
 #include <vtkTextRenderer.h>
 
 #include <cmath>
@@ -55,7 +56,8 @@ double text_width(const std::string& text, Font font, double size) {
     const auto [at, fresh] = known.try_emplace({font, text}, 0);
     if (fresh) {
         std::array<int, 4> box{};
-        vtkTextRenderer::GetInstance()->GetBoundingBox(text_property(font, measured_at, ink), text, box.data(),
+        const auto property = text_property(font, measured_at, ink);
+        vtkTextRenderer::GetInstance()->GetBoundingBox(property, text, box.data(),
                                                        dots_per_inch, vtkTextRenderer::FreeType);
         at->second = (box[1] - box[0] + 1) / measured_at;
     }

@@ -3,6 +3,8 @@
 #include "visualizer/drawing/ray_path.hpp"
 #include "visualizer/drawing/text.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace rayscope::drawing {
@@ -33,7 +35,7 @@ std::vector<Row> rows_of(const Trace& trace) {
 
 std::string row_text(const Trace& trace, int id) {
     const TracedRay& ray = trace.rays[std::size_t(id)];
-    std::string text = std::to_string(id) + " " + kind_name(ray.start().kind);
+    std::string text = fmt::format("{} {}", id, kind_name(ray.start().kind));
     const bool total = ray.start().kind == RayKind::reflected && ray.parent != none &&
                        trace.rays[std::size_t(ray.parent)].find<TotallyReflected>() != nullptr;
     if (total) text += " (total)";
@@ -134,7 +136,7 @@ void draw_tree(Canvas& canvas, const Area& area, const Trace& trace, int current
     for (std::size_t i = shown.first; i < shown.last; ++i) drawing.row(trace, i, current, path);
     const auto hidden = [&](std::size_t rays, double row, const char* where) {
         if (rays == 0) return;
-        const std::string text = "… " + std::to_string(rays) + (rays == 1 ? " ray " : " rays ") + where;
+        const std::string text = fmt::format("… {} {} {}", rays, rays == 1 ? "ray" : "rays", where);
         canvas.add(Text{{area.x + font * 0.9, body.y + font * line * (row + 0.5)}, text, font * 0.92, quiet_ink});
     };
     if (!cut) return;

@@ -1,0 +1,41 @@
+#include "core/trace/rescale.hpp"
+
+#include <cmath>
+
+namespace rayscope {
+namespace {
+
+struct Rescaler {
+    double scale;
+    void operator()(RaySpawned& e) const { e.direction /= scale; }
+    void operator()(ObjectAccepted& e) const { e.t *= scale; }
+    void operator()(SpanFound& e) const {
+        e.enter.t *= scale;
+        e.exit.t *= scale;
+    }
+    void operator()(ClusterMerged& e) const {
+        e.t_first *= scale;
+        e.t_last *= scale;
+    }
+    void operator()(BoundaryChosen& e) const {
+        e.boundary.t *= scale;
+        e.error_bound *= scale;
+    }
+    void operator()(auto&) const {}
+};
+
+} // namespace
+
+double ordinary_scale(const Vec3d& direction) {
+    constexpr int ordinary = 100; // binary digits: its square is far from both ends of the number range
+    const double size = largest_component(absolute(direction));
+    if (!(size > 0) || !std::isfinite(size)) return 1;
+    const int exponent = std::ilogb(size);
+    return std::abs(exponent) <= ordinary ? 1 : std::ldexp(1.0, -exponent);
+}
+
+void rescale(TracedRay& ray, double scale) {
+    for (Event& event : ray.events) std::visit(Rescaler{scale}, event);
+}
+
+} // namespace rayscope

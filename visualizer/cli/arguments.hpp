@@ -1,0 +1,22 @@
+#pragma once
+// Texts of arguments into values.
+
+#include "visualizer/cli/options.hpp"
+
+namespace rayscope::cli {
+
+/// All throw UsageError that names the option and says what was expected.
+
+/// "X,Y": not negative.
+[[nodiscard]] std::pair<int, int> parse_pixel(const std::string& text);
+
+/// "ox,oy,oz,dx,dy,dz": six finite numbers, the last three not all 0.
+[[nodiscard]] Ray<double> parse_ray(const std::string& text);
+
+/// "WxH": 1 to 32768 each, at most 10⁸ pixels.
+[[nodiscard]] Size parse_size(const std::string& text);
+
+/// A whole number within limits.
+[[nodiscard]] int parse_count(const std::string& option, const std::string& text, int least, int most);
+
+} // namespace rayscope::cli

@@ -1,0 +1,13 @@
+#pragma once
+// The commands of the program: each returns its exit code, and throws InputError, UsageError or another
+// std::exception where it can't go on.
+
+#include "visualizer/cli/options.hpp"
+
+namespace rayscope::cli {
+
+[[nodiscard]] int step(const StepOptions& options);
+[[nodiscard]] int trace(const TraceOptions& options);
+[[nodiscard]] int render(const RenderCommandOptions& options);
+
+} // namespace rayscope::cli

@@ -1,0 +1,16 @@
+#pragma once
+// How a command ends that can't do what was asked.
+
+#include <stdexcept>
+
+namespace rayscope::cli {
+
+/// Exit codes: 0 done, 1 the work failed, 2 wrong input or usage, 130 interrupted by Ctrl-C.
+inline constexpr int done = 0, failed = 1, wrong_usage = 2, interrupted = 130;
+
+/// Arguments that can't be meant: exit code 2.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+} // namespace rayscope::cli

@@ -1,0 +1,49 @@
+// rayscope: the terminal program.
+
+#include "visualizer/cli/commands.hpp"
+#include "visualizer/cli/failure.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+
+namespace {
+
+using namespace rayscope;
+
+int run(const cli::Help& help) {
+    std::fputs(help.text.c_str(), stdout);
+    return cli::done;
+}
+int run(const cli::StepOptions& options) { return cli::step(options); }
+int run(const cli::TraceOptions& options) { return cli::trace(options); }
+int run(const cli::RenderCommandOptions& options) { return cli::render(options); }
+
+int guarded(int count, const char* const* arguments) {
+    try {
+        return std::visit([](const auto& options) { return run(options); },
+                          cli::parse_options(count, arguments));
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return cli::wrong_usage;
+    } catch (const cli::UsageError& error) {
+        std::fprintf(stderr, "rayscope: %s\n", error.what());
+        return cli::wrong_usage;
+    } catch (const std::bad_alloc&) {
+        std::fputs("rayscope: not enough memory\n", stderr);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "rayscope: %s\n", error.what());
+    }
+    return cli::failed;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    const int code = guarded(count, arguments);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    std::fprintf(stderr, "rayscope: can't write to standard output: %s\n", std::strerror(errno));
+    return code == cli::done ? cli::failed : code;
+}

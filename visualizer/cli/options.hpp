@@ -1,0 +1,53 @@
+#pragma once
+// What the command line says.
+
+#include "core/rayscope.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace rayscope::cli {
+
+struct Size {
+    int width = 0, height = 0;
+};
+
+/// Which ray of a scene is traced: that of a pixel, a given one, or, with neither, the scene's own choice.
+struct RayChoice {
+    std::string scene; ///< a path or the name of a shipped scene; empty: the glass bowl
+    std::optional<std::pair<int, int>> pixel;
+    std::optional<Ray<double>> ray;
+};
+
+struct StepOptions {
+    RayChoice choice;
+    int digits = 6;
+    std::string picture = "rayscope-step.png";
+    bool picture_asked_for = false, no_picture = false;
+    std::optional<Size> size; ///< of the picture
+};
+
+struct TraceOptions {
+    RayChoice choice;
+    std::string output;
+};
+
+struct RenderCommandOptions {
+    std::string scene, output, statistics;
+    std::optional<Size> size;
+    int threads = 0;
+};
+
+/// What was asked for and is already answered: the text goes to stdout.
+struct Help {
+    std::string text;
+};
+
+using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions>;
+
+/// Throws UsageError.
+[[nodiscard]] Options parse_options(int count, const char* const* arguments);
+
+} // namespace rayscope::cli

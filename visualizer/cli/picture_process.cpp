@@ -1,0 +1,110 @@
+#include "visualizer/cli/picture_process.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace rayscope::cli {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path view_program() {
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error).parent_path() / "rayscope-view";
+}
+
+/// A folder of its own for the trace that the other program reads; goes with all that is in it.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string name = (fs::temp_directory_path() / "rayscope-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+            throw std::runtime_error("can't make a temporary folder " + name + ": " + std::strerror(errno));
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+/// Ctrl-C goes to the other program as well, which ends: this one must outlive it to tidy up.
+class IgnoreInterrupts {
+public:
+    IgnoreInterrupts() : before_(std::signal(SIGINT, SIG_IGN)) {}
+    ~IgnoreInterrupts() { std::signal(SIGINT, before_); }
+    IgnoreInterrupts(const IgnoreInterrupts&) = delete;
+    IgnoreInterrupts& operator=(const IgnoreInterrupts&) = delete;
+
+private:
+    void (*before_)(int);
+};
+
+/// Its exit code, or 128 + the signal that ended it.
+int run(std::vector<std::string> arguments) {
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t default_signals;
+    sigemptyset(&default_signals);
+    sigaddset(&default_signals, SIGINT);
+    posix_spawnattr_setsigdefault(&attributes, &default_signals);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    pid_t child = 0;
+    const int error = posix_spawn(&child, pointers[0], nullptr, &attributes, pointers.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    if (error != 0) throw std::runtime_error("can't run " + arguments[0] + ": " + std::strerror(error));
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) throw std::runtime_error("lost " + arguments[0] + ": " + std::strerror(errno));
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+} // namespace
+
+bool can_draw() { return access(view_program().c_str(), X_OK) == 0; }
+
+const char* how_to_draw() {
+    return "this build can't draw: rayscope-view is missing; it is built where VTK is installed (Debian: "
+           "libvtk9-dev)";
+}
+
+void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::optional<Size> size) {
+    const IgnoreInterrupts patience;
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "trace.json";
+    write_trace(trace, file);
+    std::vector<std::string> arguments{view_program().string(),
+                                       drawing == Drawing::png ? "png" : "vtm",
+                                       "--scene",
+                                       trace.source.scene,
+                                       "--trace",
+                                       file.string(),
+                                       "-o",
+                                       output.string()};
+    if (size) {
+        arguments.push_back("--size");
+        arguments.push_back(std::to_string(size->width) + "x" + std::to_string(size->height));
+    }
+    const int code = run(std::move(arguments));
+    if (code != 0)
+        throw std::runtime_error("rayscope-view could not draw (exit code " + std::to_string(code) + ")");
+}
+
+} // namespace rayscope::cli

@@ -1,0 +1,23 @@
+#pragma once
+// The program that draws, rayscope-view: it stands beside this one where VTK was found.
+
+#include "visualizer/cli/options.hpp"
+
+#include <filesystem>
+
+namespace rayscope::cli {
+
+/// False in a build without VTK.
+[[nodiscard]] bool can_draw();
+
+/// One line on how to get it.
+[[nodiscard]] const char* how_to_draw();
+
+/// What rayscope-view makes of a trace.
+enum class Drawing { png, vtm };
+
+/// Has a trace drawn, and waits for it. The program's own messages go to stderr. Throws std::runtime_error if it fails.
+void draw(Drawing drawing, const Trace& trace, const std::filesystem::path& output,
+          std::optional<Size> size = {});
+
+} // namespace rayscope::cli

@@ -1,0 +1,25 @@
+#pragma once
+// How far a long work has come, on one line of the terminal.
+
+#include <chrono>
+
+namespace rayscope::cli {
+
+/// Draws on stderr if it is a terminal, else nothing. The line is wiped at the end.
+class Progress {
+public:
+    Progress();
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// share: 0 … 1; called by one thread at a time.
+    void show(double share);
+
+private:
+    bool terminal_;
+    int percent_ = -1;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+} // namespace rayscope::cli

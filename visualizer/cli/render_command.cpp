@@ -1,0 +1,89 @@
+// rayscope render: a scene's image.
+
+#include "visualizer/cli/commands.hpp"
+#include "visualizer/cli/failure.hpp"
+#include "visualizer/cli/output_check.hpp"
+#include "visualizer/cli/progress.hpp"
+#include "visualizer/cli/render_report.hpp"
+#include "visualizer/cli/scene_choice.hpp"
+#include "visualizer/cli/warnings.hpp"
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+namespace rayscope::cli {
+namespace {
+
+std::atomic<bool> stop_asked_for{false};
+static_assert(std::atomic<bool>::is_always_lock_free); // a signal handler may set nothing else
+
+/// From now on Ctrl-C stops the render and lets a file that is being written become whole. Before, it ends the
+/// program at once, and nothing is there yet that could be broken.
+void catch_interrupts() {
+    struct sigaction action{};
+    action.sa_handler = [](int) { stop_asked_for = true; };
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
+}
+
+void check_arguments(const RenderCommandOptions& options) {
+    check_output("-o", options.output, {".png", ".pfm", ".exr"});
+    if (options.statistics.empty()) return;
+    check_output("--stats", options.statistics, {".json"});
+}
+
+} // namespace
+
+int render(const RenderCommandOptions& options) {
+    check_arguments(options);
+    RenderReport report;
+    const std::filesystem::path path = find_scene(options.scene);
+    report.scene = path.string();
+    report.output = options.output;
+
+    const Stopwatch loading;
+    Scene scene = load_scene(path);
+    report.load = loading.elapsed();
+    print_warnings(scene);
+    const Stopwatch building;
+    const Workbench bench = make_workbench(std::move(scene));
+    report.build = building.elapsed();
+
+    RenderOptions tracing;
+    if (options.size) {
+        tracing.width = options.size->width;
+        tracing.height = options.size->height;
+    }
+    tracing.threads = options.threads;
+    tracing.stop = &stop_asked_for;
+    catch_interrupts();
+    RenderResult result;
+    {
+        Progress progress;
+        tracing.progress = [&](double share) { progress.show(share); };
+        result = rayscope::render(bench, tracing);
+    }
+    if (!result.complete || stop_asked_for) {
+        std::fputs("rayscope: stopped; nothing was written\n", stderr);
+        return interrupted;
+    }
+    report.trace = {result.statistics.cpu_seconds, result.statistics.wall_seconds};
+    report.counters = result.statistics.counters;
+    report.width = result.image.width;
+    report.height = result.image.height;
+    report.image_hash = hash(result.image);
+
+    const Stopwatch writing;
+    write_image(result.image, options.output);
+    report.write = writing.elapsed();
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(options.output, error);
+    report.file_bytes = error ? 0 : bytes;
+    if (!options.statistics.empty()) write_text_file(options.statistics, report_json(report));
+    std::fputs(report_text(report).c_str(), stdout);
+    return done;
+}
+
+} // namespace rayscope::cli

@@ -1,0 +1,69 @@
+#include "visualizer/cli/scene_choice.hpp"
+
+#include "visualizer/cli/failure.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+namespace rayscope::cli {
+namespace fs = std::filesystem;
+namespace {
+
+/// Where the scenes lie that ship: the environment variable RAYSCOPE_SCENES, else the source's chapters.
+fs::path scenes_folder() {
+    const char* given = std::getenv("RAYSCOPE_SCENES");
+    return given != nullptr && *given != '\0' ? given : RAYSCOPE_SCENES;
+}
+
+/// Shipped scenes by name.
+std::map<std::string, fs::path, std::less<>> shipped_scenes() {
+    std::map<std::string, fs::path, std::less<>> scenes;
+    std::error_code error;
+    for (fs::recursive_directory_iterator at(scenes_folder(), error), end; !error && at != end;
+         at.increment(error)) {
+        const fs::path& path = at->path();
+        if (path.extension() == ".toml" || path.extension() == ".nff")
+            scenes.emplace(path.stem().string(), path);
+    }
+    return scenes;
+}
+
+/// As a person in the current folder would write it: messages stay short.
+fs::path seen_from_here(const fs::path& path) {
+    std::error_code error;
+    const fs::path relative = fs::proximate(path, error);
+    return error || relative.empty() || *relative.begin() == ".." ? path : relative;
+}
+
+} // namespace
+
+fs::path find_scene(const std::string& text) {
+    std::error_code error;
+    if (fs::exists(text, error)) return text;
+    const std::string name = text.empty() ? "glass_bowl" : text;
+    const auto scenes = shipped_scenes();
+    if (const auto found = scenes.find(name); found != scenes.end()) return seen_from_here(found->second);
+    std::vector<std::string_view> names;
+    for (const auto& [stem, path] : scenes) names.push_back(stem);
+    const std::string near = did_you_mean(name, names);
+    throw UsageError("no scene file " + in_quotes(name) +
+                     (!near.empty()   ? near
+                      : names.empty() ? ", and no scenes in " + scenes_folder().string()
+                                      : "; scenes that ship: " + one_of(names)));
+}
+
+Trace trace_choice(const Workbench& bench, const RayChoice& choice) {
+    if (choice.ray) return trace_ray(bench, *choice.ray);
+    const Camera& camera = bench.scene.camera;
+    const auto middle = std::pair(camera.width / 2, camera.height / 2);
+    const auto [x, y] = choice.pixel.value_or(bench.scene.step_pixel.value_or(middle));
+    if (x >= camera.width || y >= camera.height)
+        throw UsageError("--pixel " + std::to_string(x) + "," + std::to_string(y) +
+                         " lies outside the image of " + std::to_string(camera.width) + " × " +
+                         std::to_string(camera.height) + " pixels, whose last one is " +
+                         std::to_string(camera.width - 1) + "," + std::to_string(camera.height - 1));
+    return trace_pixel(bench, x, y);
+}
+
+} // namespace rayscope::cli

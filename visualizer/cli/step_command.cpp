@@ -1,0 +1,81 @@
+// rayscope step: one ray's recursion as text, a picture, and on a terminal a conversation.
+
+#include "visualizer/cli/commands.hpp"
+#include "visualizer/cli/failure.hpp"
+#include "visualizer/cli/output_check.hpp"
+#include "visualizer/cli/picture_process.hpp"
+#include "visualizer/cli/scene_choice.hpp"
+#include "visualizer/cli/session.hpp"
+#include "visualizer/cli/step_text.hpp"
+#include "visualizer/cli/warnings.hpp"
+
+#include <cstdio>
+
+#include <unistd.h>
+
+namespace rayscope::cli {
+namespace {
+
+std::string title(const Trace& trace, const StepStyle& style) {
+    const TraceSource& source = trace.source;
+    const std::string ray =
+        source.by_hand ? "a ray given by hand"
+                       : "pixel (" + std::to_string(source.x) + "," + glue + std::to_string(source.y) + ")";
+    Page page(style.paint);
+    page.line(style.paint.bold(harmless(source.scene)) + ", " + ray);
+    page.line("max_depth" + std::string(glue) + std::to_string(trace.max_depth) + ", min_weight" + glue +
+              style.number(trace.min_weight) + "; a colour given as one number is a grey");
+    page.gap();
+    return page.text();
+}
+
+void print(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    std::fflush(stdout); // the picture comes later
+}
+
+/// Without --png a missing picture is no error: the text is the answer.
+void add_picture(const Trace& trace, const StepOptions& options) {
+    if (options.no_picture) return;
+    if (!options.picture_asked_for) {
+        try {
+            check_output("the picture", options.picture, {".png"});
+        } catch (const UsageError& error) {
+            std::fprintf(stderr, "rayscope: no picture: %s (--png FILE, --no-png)\n", error.what());
+            return;
+        }
+        if (!can_draw()) {
+            std::fprintf(stderr, "rayscope: no picture: %s\n", how_to_draw());
+            return;
+        }
+    }
+    draw(Drawing::png, trace, options.picture, options.size);
+    print("\npicture: " + options.picture + "\n");
+}
+
+} // namespace
+
+int step(const StepOptions& options) {
+    if (options.picture_asked_for) {
+        check_output("--png", options.picture, {".png"});
+        if (!can_draw()) throw std::runtime_error(how_to_draw());
+    }
+    const Workbench bench = open(find_scene(options.choice.scene));
+    print_warnings(bench.scene);
+    const Trace trace = trace_choice(bench, options.choice);
+    const StepStyle style{Numbers(options.digits), Paint(wants_colours(STDOUT_FILENO))};
+    const bool interactive = isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
+
+    print(title(trace, style) + tree_text(trace, style));
+    if (interactive) {
+        print(ray_text(trace, 0, style));
+    } else {
+        for (std::size_t ray = 0; ray < trace.rays.size(); ++ray) print(ray_text(trace, int(ray), style));
+    }
+    print(result_text(trace, style));
+    add_picture(trace, options);
+    if (interactive) Session(trace, style).run();
+    return done;
+}
+
+} // namespace rayscope::cli

@@ -1,0 +1,164 @@
+#include "visualizer/drawing/ray_strokes.hpp"
+
+#include "visualizer/drawing/clip_compound.hpp"
+#include "visualizer/drawing/ray_path.hpp"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <map>
+
+namespace rayscope::drawing {
+namespace {
+
+struct Weights {
+    double line, arrow, dot;
+    double fade; ///< towards the ground's colour
+};
+
+Weights weights_of(Emphasis emphasis) {
+    switch (emphasis) {
+    case Emphasis::ghost: return {1.1, 7, 2.2, 0.68};
+    case Emphasis::plain: return {2.0, 11, 3.4, 0.0};
+    default: return {3.6, 15, 4.6, 0.0};
+    }
+}
+
+double cell_value(vtkPolyData* data, const char* array, vtkIdType cell) {
+    return data->GetCellData()->GetArray(array)->GetTuple1(cell);
+}
+
+} // namespace
+
+std::vector<RayStyle> ray_styles(const Trace& trace, std::optional<int> chosen) {
+    std::vector<RayStyle> styles;
+    std::vector<Emphasis> emphasis(trace.rays.size(), chosen ? Emphasis::ghost : Emphasis::plain);
+    if (chosen) {
+        for (std::size_t i = 0; i < trace.rays.size(); ++i) {
+            const int parent = trace.rays[i].parent;
+            const bool below = parent >= 0 && parent < int(i) &&
+                               (parent == *chosen || emphasis[std::size_t(parent)] == Emphasis::plain);
+            if (below) emphasis[i] = Emphasis::plain;
+        }
+        for (const int i : path_to(trace, *chosen)) emphasis[std::size_t(i)] = Emphasis::path;
+    }
+    for (std::size_t i = 0; i < trace.rays.size(); ++i) styles.push_back({int(i), emphasis[i]});
+    std::ranges::stable_sort(styles, [&](const RayStyle& a, const RayStyle& b) {
+        if (a.emphasis != b.emphasis) return a.emphasis > b.emphasis;
+        return weight(trace.rays[std::size_t(a.ray)]) > weight(trace.rays[std::size_t(b.ray)]);
+    });
+    if (styles.size() > most_rays) styles.resize(most_rays);
+    return styles;
+}
+
+void RayStrokes::tube(const Vec3d& from, const Vec3d& to, double width, Rgb colour) {
+    const double half = width * pixels_ / 2;
+    mesh_.add_tube(from, to, half * view_.pixel_size(from), half * view_.pixel_size(to), colour);
+}
+
+void RayStrokes::dashes(const Vec3d& from, const Vec3d& to, double width, Rgb colour) {
+    const double pixel = view_.pixel_size((from + to) / 2.0) * pixels_, size = length(to - from);
+    const double dash = (6 + 1.5 * width) * pixel, period = dash + (3 + 1.5 * width) * pixel;
+    if (!(size < 1000 * period)) return tube(from, to, width, colour);
+    const Vec3d d = normalized(to - from);
+    for (double s = 0; s < size; s += period) tube(from + d * s, from + d * std::min(s + dash, size), width, colour);
+}
+
+void RayStrokes::solid_arrow(const Vec3d& at, const Vec3d& direction, double size, Rgb colour) {
+    const double pixel = view_.pixel_size(at) * pixels_;
+    mesh_.add_cone(at - direction * (size * pixel / 2), at + direction * (size * pixel / 2), size * 0.36 * pixel,
+                   colour);
+}
+
+void RayStrokes::open_arrow(const Vec3d& tip, const Vec3d& direction, double width, Rgb colour) {
+    const Vec3d across = normalized(cross(direction, view_.position() - tip));
+    const double size = (7 + 1.5 * width) * view_.pixel_size(tip) * pixels_;
+    for (const double side : {-0.5, 0.5}) tube(tip, tip - direction * size + across * (size * side), width, colour);
+}
+
+void RayStrokes::draw_ray(const TracedRay& ray, const Vec3d& from, const Vec3d& to, bool open, Emphasis emphasis) {
+    const Weights w = weights_of(emphasis);
+    const Rgb colour = mixed(ray_colour(ray), sky, w.fade);
+    // What lies far outside the picture would only cost precision.
+    const auto drawn = view_.visible(from, to, -0.3 * view_.area().width);
+    const auto seen = view_.visible(from, to, 7 * pixels_);
+    if (!drawn || !seen) return;
+    const auto at = [&](double share) { return from + (to - from) * share; };
+    const Vec3d start = at(drawn->from), end = at(drawn->to), direction = normalized(to - from);
+    const bool shadow = ray.start().kind == RayKind::shadow;
+    const bool leaves = seen->to < 1;
+    if (shadow) dashes(start, leaves ? at(seen->to) : end, w.line * 0.8, colour);
+    else tube(start, open && leaves ? at(seen->to) : end, w.line, colour);
+    const auto a = view_.pixel(at(seen->from)), b = view_.pixel(at(seen->to));
+    if (!a || !b) return;
+    if (emphasis != Emphasis::ghost) segments_.push_back({*a, *b});
+    const double visible_pixels = std::hypot(b->x - a->x, b->y - a->y) / pixels_;
+    if (open || (shadow && leaves)) open_arrow(at(seen->to), direction, w.line * 0.8, colour);
+    else if (is_blocked(ray)) return;
+    const double size = std::min(w.arrow, visible_pixels * 0.3);
+    if (size > 4 && !(open && visible_pixels < 50))
+        solid_arrow(at(seen->from + (seen->to - seen->from) * (open ? 0.5 : 0.57)), direction, size, colour);
+}
+
+void RayStrokes::draw_hit(const Vec3d& point, const Vec3d& normal, bool with_normal, Emphasis emphasis) {
+    const auto pixel = view_.pixel(point);
+    if (!pixel || !view_.visible(point, point + view_.right() * view_.pixel_size(point), 0)) return;
+    const Weights w = weights_of(emphasis);
+    const double size = view_.pixel_size(point) * pixels_;
+    mesh_.add_ball(point, w.dot * size, mixed(hit_purple, sky, w.fade));
+    if (!with_normal) return;
+    const Rgb green = mixed(normal_green, sky, w.fade);
+    const Vec3d tip = point + normal * (30 * size);
+    tube(point, tip, emphasis == Emphasis::path ? 2 : 1.4, green);
+    solid_arrow(tip, normal, 9, green);
+    if (const auto end = view_.pixel(tip)) segments_.push_back({*pixel, *end});
+}
+
+void RayStrokes::draw(const Trace& trace, const std::vector<RayStyle>& styles, vtkPolyData* rays, vtkPolyData* hits) {
+    std::map<int, vtkIdType> hit_of;
+    vtkDataArray* ids = hits->GetPointData()->GetArray("ray_id");
+    for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i) hit_of[int(ids->GetTuple1(i))] = i;
+    const bool few_hits = hit_of.size() <= 14;
+    std::size_t normals = 0;
+    for (const RayStyle& style : styles) {
+        const vtkIdType cell = style.ray; // one line for each ray, in their order
+        const Vec3d from = view_.to_view(point_of(rays, 2 * cell)), to = view_.to_view(point_of(rays, 2 * cell + 1));
+        draw_ray(trace.rays[std::size_t(style.ray)], from, to, cell_value(rays, "open", cell) > 0, style.emphasis);
+        const auto hit = hit_of.find(style.ray);
+        if (hit == hit_of.end()) continue;
+        std::array<double, 3> n{};
+        hits->GetPointData()->GetNormals()->GetTuple(hit->second, n.data());
+        const bool with_normal = style.emphasis == Emphasis::path ||
+                                 (style.emphasis == Emphasis::plain && (few_hits || normals < 8));
+        if (with_normal) ++normals;
+        draw_hit(view_.to_view(point_of(hits, hit->second)), {n[0], n[1], n[2]}, with_normal, style.emphasis);
+    }
+}
+
+void RayStrokes::draw_lanes(const Trace& trace, int ray, const Lanes& lanes, vtkPolyData* spans) {
+    const RaySpawned& start = trace.rays[std::size_t(ray)].start();
+    const Vec3d direction = normalized(start.direction);
+    Vec3d aside = normalized(cross(direction, view_.back()));
+    if (dot(aside, view_.up()) < 0) aside = -aside;
+    std::map<std::pair<int, int>, std::size_t> row; // (object, node) → which lane
+    for (std::size_t i = 0; i < lanes.shown.size(); ++i)
+        row.try_emplace({lanes.shown[i].object, lanes.shown[i].node}, i);
+    for (vtkIdType i = 0; i < spans->GetNumberOfCells(); ++i) {
+        if (int(cell_value(spans, "ray_id", i)) != ray) continue;
+        const auto lane = row.find({int(cell_value(spans, "object_id", i)), int(cell_value(spans, "node_id", i))});
+        if (lane == row.end()) continue;
+        const Vec3d from = view_.to_view(point_of(spans, 2 * i)), to = view_.to_view(point_of(spans, 2 * i + 1));
+        const auto part = view_.visible(from, to, -4 * pixels_);
+        if (!part) continue;
+        const double pixel = view_.pixel_size(from) * pixels_;
+        const Vec3d offset = aside * ((10 + 6.5 * double(lane->second)) * pixel);
+        const Vec3d a = from + (to - from) * part->from + offset, b = from + (to - from) * part->to + offset;
+        tube(a, b, 4, lanes.shown[lane->second].colour);
+        const auto flat_a = view_.pixel(a), flat_b = view_.pixel(b);
+        if (flat_a && flat_b) segments_.push_back({*flat_a, *flat_b});
+    }
+}
+
+} // namespace rayscope::drawing

@@ -1,0 +1,116 @@
+#include "visualizer/drawing/surfaces.hpp"
+
+#include "visualizer/drawing/scene_objects.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace rayscope::drawing {
+namespace {
+
+constexpr std::size_t most_objects = 600;
+
+/// Which of the objects rays hit, or are stopped by.
+std::set<Id> touched_objects(const Trace& trace, const std::vector<Id>& drawn) {
+    std::set<Id> touched;
+    const auto touch = [&](Id object) {
+        if (object >= 0 && std::size_t(object) < drawn.size() && drawn[std::size_t(object)] != none)
+            touched.insert(drawn[std::size_t(object)]);
+    };
+    for (const TracedRay& ray : trace.rays) {
+        if (const auto* hit = ray.find<BoundaryChosen>()) touch(hit->object);
+        for (const Event& event : ray.events)
+            if (const auto* accepted = std::get_if<ObjectAccepted>(&event)) touch(accepted->object);
+    }
+    return touched;
+}
+
+double distance(const Box<double>& box, const Vec3d& p) {
+    Vec3d outside{0};
+    for (int i = 0; i < 3; ++i) outside[i] = std::max({box.low[i] - p[i], 0.0, p[i] - box.high[i]});
+    return length(outside);
+}
+
+bool is_plane(const Scene& scene, std::size_t drawn) {
+    const SceneObject& object = scene.drawn[drawn];
+    return !object.is_compound && std::holds_alternative<Plane<double>>(scene.generics[object.index].shape);
+}
+
+/// Distance of a half space's boundary from the region's middle.
+double plane_distance(const Scene& scene, std::size_t drawn, const Region& region) {
+    const Mat4d& matrix = scene.generics[scene.drawn[drawn].index].matrix;
+    const Vec3d normal = Transform<double>(matrix).normal_to_world({0, 0, 1});
+    return std::abs(dot(region.centre - Vec3d(matrix[3]), normal));
+}
+
+bool encloses(const Box<double>& box, const Vec3d& p) {
+    for (int i = 0; i < 3; ++i)
+        if (!(box.low[i] < p[i] && p[i] < box.high[i])) return false;
+    return true;
+}
+
+/// Walls end where they meet other walls: what lies inside another half space can't be seen.
+void cut_walls(Surfaces& surfaces, const Scene& scene) {
+    std::vector<std::pair<std::size_t, Transform<double>>> planes;
+    for (const Surface& surface : surfaces.shown)
+        if (surface.flat)
+            planes.emplace_back(surface.drawn, scene.generics[scene.drawn[surface.drawn].index].matrix);
+    if (planes.size() < 2 || planes.size() > 24) return;
+    for (Surface& surface : surfaces.shown) {
+        if (!surface.flat) continue;
+        for (const auto& [other, transform] : planes) {
+            if (other == surface.drawn) continue;
+            Pieces kept;
+            for (const auto& piece : surface.pieces) {
+                std::vector<double> values;
+                for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+                    values.push_back(-transform.point_to_object(point_of(piece, i)).z);
+                if (auto rest = kept_below_zero(piece, values)) kept.push_back(rest);
+            }
+            surface.pieces = std::move(kept);
+        }
+    }
+}
+
+} // namespace
+
+Surfaces surfaces_near(const Workbench& bench, const Trace& trace, const std::vector<Id>& drawn,
+                       const Region& region) {
+    const Scene& scene = bench.scene;
+    const std::set<Id> touched = touched_objects(trace, drawn);
+    struct Candidate {
+        std::size_t drawn;
+        bool hit;
+        double distance;
+    };
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < scene.drawn.size(); ++i) {
+        const bool hit = touched.contains(Id(i));
+        const double away = is_plane(scene, i) ? plane_distance(scene, i, region)
+                                               : distance(bench.world.objects[i].bounds, region.centre);
+        if (hit || away < (is_plane(scene, i) ? 3.0 : 1.6) * region.radius) candidates.push_back({i, hit, away});
+    }
+    std::ranges::stable_sort(candidates, [](const Candidate& a, const Candidate& b) {
+        return a.hit != b.hit ? a.hit : a.distance < b.distance;
+    });
+    Surfaces surfaces;
+    if (candidates.size() > most_objects) {
+        surfaces.left_out = candidates.size() - most_objects;
+        candidates.resize(most_objects);
+    }
+    const auto hits = std::ranges::count_if(candidates, &Candidate::hit);
+    for (const Candidate& candidate : candidates) {
+        const int around = candidate.hit ? (hits <= 16 ? 96 : 40) : (candidates.size() <= 40 ? 48 : 24);
+        Surface surface{candidate.drawn, object_title(scene, candidate.drawn), candidate.hit, false,
+                        is_plane(scene, candidate.drawn), {}};
+        const Box<double>& bounds = bench.world.objects[candidate.drawn].bounds;
+        surface.room = bounds.bounded() && encloses(bounds, region.centre) && !trace.rays.empty() &&
+                       encloses(bounds, trace.rays.front().start().origin);
+        surface.pieces = object_surface(scene, candidate.drawn, {around, false}, region);
+        surfaces.shown.push_back(std::move(surface));
+    }
+    cut_walls(surfaces, scene);
+    return surfaces;
+}
+
+} // namespace rayscope::drawing
