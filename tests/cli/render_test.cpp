@@ -85,7 +85,7 @@ TEST(Render, the_image_is_that_of_the_library) {
 TEST(Render, interrupted_it_stops_soon_and_leaves_nothing) {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "b.png") << "old";
-    TerminalProgram program({"render", "glass_bowl", "-o", "b.png", "--size", "9000x9000", "--threads", "1"},
+    TerminalProgram program({"render", "glass_bowl", "-o", "b.png", "--size", "4000x4000", "--threads", "1"},
                             {folder.path()});
     program.shown_until("0 %");
     const auto start = std::chrono::steady_clock::now();

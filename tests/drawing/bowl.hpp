@@ -6,7 +6,8 @@
 namespace rayscope::test {
 
 inline const Workbench& bowl() {
-    static const Workbench bench = open(std::filesystem::path(RAYSCOPE_SOURCE_DIR) / "chapters/02_csg/glass_bowl.toml");
+    static const Workbench bench =
+        open(std::filesystem::path(RAYSCOPE_SOURCE_DIR) / "chapters/02_csg/glass_bowl.toml");
     return bench;
 }
 

@@ -9,6 +9,7 @@
 #include "visualizer/drawing/timeline.hpp"
 #include "visualizer/drawing/tree_panel.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 namespace rayscope::test {
@@ -35,7 +36,8 @@ void expect_legible(const Canvas& canvas, const Area& panel, const std::string& 
             Area b = text_area(all[j]);
             b.y += all[j].size * 0.15;
             b.height -= all[j].size * 0.3;
-            EXPECT_FALSE(a.overlaps(b)) << which << ": '" << all[i].text << "' covers '" << all[j].text << "'";
+            EXPECT_FALSE(a.overlaps(b))
+                << which << ": '" << all[i].text << "' covers '" << all[j].text << "'";
         }
     }
 }
@@ -43,7 +45,7 @@ void expect_legible(const Canvas& canvas, const Area& panel, const std::string& 
 /// A name so long that it fits nowhere.
 Workbench long_names() {
     Scene scene = bowl().scene;
-    for (SceneCompound& compound : scene.compounds) compound.name = "Θ_" + std::string(300, 'W');
+    for (SceneCompound& compound : scene.compounds) compound.name.assign(300, 'W');
     for (SceneGeneric& generic : scene.generics) generic.name += std::string(200, 'i');
     return make_workbench(std::move(scene));
 }
@@ -56,15 +58,15 @@ TEST(Panels, are_legible_in_every_size_for_every_ray) {
             for (int ray = 0; ray < int(trace.rays.size()); ray += 3) {
                 const Lanes lanes = lanes_of(trace, trace.rays[std::size_t(ray)], most_lanes(size));
                 const Layout layout = layout_of(size, trace, ray, true, lanes);
-                const std::string which = std::to_string(size.width) + ", ray " + std::to_string(ray);
+                const std::string which = fmt::format("{}, ray {}", size.width, ray);
                 EXPECT_GT(layout.view.height, 0.35 * size.height) << which;
                 Canvas tree, details, timeline;
                 draw_tree(tree, layout.tree, trace, ray, layout.font);
                 draw_details(details, layout.details, trace, ray, layout.font);
                 draw_timeline(timeline, layout.timeline, lanes, trace, ray, layout.font);
-                expect_legible(tree, layout.tree, which + " tree");
-                expect_legible(details, layout.details, which + " details");
-                expect_legible(timeline, layout.timeline, which + " timeline");
+                expect_legible(tree, layout.tree, fmt::format("{} tree", which));
+                expect_legible(details, layout.details, fmt::format("{} details", which));
+                expect_legible(timeline, layout.timeline, fmt::format("{} timeline", which));
             }
 }
 
@@ -77,9 +79,11 @@ TEST(Panels, the_tree_shows_the_current_ray_and_counts_what_it_hides) {
     int hidden = 0;
     std::size_t rows = 0;
     for (const Text& text : texts(canvas)) {
-        shown |= text.text.starts_with(std::to_string(current) + " ");
-        if (text.text.starts_with("…")) hidden += std::stoi(text.text.substr(std::string("… ").size()));
-        else if (text.text.find(" → ") != std::string::npos || text.text.find(" ✗ ") != std::string::npos) ++rows;
+        shown |= text.text.starts_with(fmt::format("{} ", current));
+        if (text.text.starts_with("…"))
+            hidden += std::stoi(text.text.substr(std::string("… ").size()));
+        else if (text.text.find(" → ") != std::string::npos || text.text.find(" ✗ ") != std::string::npos)
+            ++rows;
     }
     EXPECT_TRUE(shown);
     EXPECT_EQ(rows + std::size_t(hidden), trace.rays.size());
@@ -92,7 +96,7 @@ TEST(Panels, labels_keep_off_each_other_and_stay_inside) {
     Canvas canvas;
     int placed = 0;
     for (int i = 0; i < 60; ++i)
-        placed += placer.place(canvas, {"P" + std::to_string(i), {150.0 + i % 5, 150.0 + i % 3}, ink}) ? 1 : 0;
+        placed += placer.place(canvas, {fmt::format("P{}", i), {150.0 + i % 5, 150.0 + i % 3}, ink}) ? 1 : 0;
     EXPECT_GT(placed, 5);
     const auto& taken = placer.taken();
     for (std::size_t i = 0; i < taken.size(); ++i) {
@@ -102,13 +106,15 @@ TEST(Panels, labels_keep_off_each_other_and_stay_inside) {
 }
 
 TEST(Panels, long_text_is_shortened_by_whole_characters) {
-    const std::string text = "Kürbis ∩ Größe − ℵ ∪ " + std::string(50, 'x');
+    const std::string text = fmt::format("Kürbis ∩ Größe − ℵ ∪ {:x>50}", "");
     for (double width = 5; width < 400; width += 7) {
         const std::string shorter = elided(text, Font::sans, 12, width);
-        if (shorter != "…") EXPECT_LE(text_width(shorter, Font::sans, 12), width);
+        if (shorter != "…") {
+            EXPECT_LE(text_width(shorter, Font::sans, 12), width);
+        }
         for (std::size_t i = 0; i < shorter.size(); ++i) { // no character is cut in two
-            const auto c = static_cast<unsigned char>(shorter[i]);
-            if (c >= 0xC0U) ASSERT_LT(i + 1, shorter.size());
+            const bool begins_character = static_cast<unsigned char>(shorter[i]) >= 0xC0U;
+            ASSERT_FALSE(begins_character && i + 1 == shorter.size());
         }
     }
     EXPECT_EQ(elided("a\nb", Font::sans, 12, 100), "a b");

@@ -26,8 +26,10 @@ std::size_t marked_pixels(const Raster& raster) {
     std::size_t marked = 0;
     for (int y = raster.height / 8; y < raster.height * 5 / 8; ++y)
         for (int x = 0; x < raster.width * 3 / 5; ++x) {
-            const std::uint8_t* p = &raster.bytes[(std::size_t(y) * std::size_t(raster.width) + std::size_t(x)) * 3];
-            if (std::abs(p[0] - sky.red) + std::abs(p[1] - sky.green) + std::abs(p[2] - sky.blue) > 60) ++marked;
+            const std::uint8_t* p =
+                &raster.bytes[(std::size_t(y) * std::size_t(raster.width) + std::size_t(x)) * 3];
+            if (std::abs(p[0] - sky.red) + std::abs(p[1] - sky.green) + std::abs(p[2] - sky.blue) > 60)
+                ++marked;
         }
     return marked;
 }
@@ -72,10 +74,13 @@ TEST(Picture, shows_a_ray_that_meets_nothing) {
     SceneBuilder builder;
     builder.generic(Sphere<double>{}, Mat4d{1}, builder.glowing(Colour{0.5}), "ball");
     const Workbench bench = make_workbench(builder.scene());
-    EXPECT_GT(marked_pixels(draw_picture(bench, trace_ray(bench, {{0, 3, 5}, {0, 0, -1}}), {small, none})), 200U);
-    EXPECT_GT(marked_pixels(draw_picture(bench, trace_ray(bench, {{9e8, 3, 5}, {0, 1, 0}}), {small, none})), 100U);
+    EXPECT_GT(marked_pixels(draw_picture(bench, trace_ray(bench, {{0, 3, 5}, {0, 0, -1}}), {small, none})),
+              200U);
+    EXPECT_GT(marked_pixels(draw_picture(bench, trace_ray(bench, {{9e8, 3, 5}, {0, 1, 0}}), {small, none})),
+              100U);
     const Workbench empty = make_workbench(SceneBuilder().scene());
-    EXPECT_GT(marked_pixels(draw_picture(empty, trace_ray(empty, {{0, 0, 0}, {1, 0, 0}}), {small, none})), 100U);
+    EXPECT_GT(marked_pixels(draw_picture(empty, trace_ray(empty, {{0, 0, 0}, {1, 0, 0}}), {small, none})),
+              100U);
 }
 
 TEST(Picture, refuses_a_ray_that_does_not_exist) {

@@ -62,7 +62,9 @@ TEST(Surfaces, normals_point_out_of_every_generic_mirrored_ones_too) {
                     const Vec3d n = cross(b - a, c - a);
                     if (!(length(n) > 1e-6)) continue; // at a pole
                     const Vec3d middle = (a + b + c) / 3.0;
-                    const auto value = [&](const Vec3d& p) { return implicit_value(shape, transform.point_to_object(p)); };
+                    const auto value = [&](const Vec3d& p) {
+                        return implicit_value(shape, transform.point_to_object(p));
+                    };
                     EXPECT_GT(value(middle + normalized(n) * 0.05), value(middle - normalized(n) * 0.05))
                         << generic_name(shape) << ", cell " << cell;
                 }

@@ -43,8 +43,9 @@ TEST(TraceGeometry, a_ray_runs_from_its_origin_to_its_end) {
             EXPECT_EQ(value(data->GetCellData(), "t_hit", row), hit->boundary.t);
         } else {
             EXPECT_TRUE(std::isnan(value(data->GetCellData(), "t_hit", row)));
-            if (start.kind != RayKind::shadow)
+            if (start.kind != RayKind::shadow) {
                 EXPECT_NEAR(length(end - start.origin), 3, 1e-12) << "goes on without end";
+            }
         }
         EXPECT_EQ(value(data->GetCellData(), "parent_id", row), ray.parent);
         EXPECT_EQ(value(data->GetCellData(), "depth", row), start.depth);
@@ -59,8 +60,8 @@ TEST(TraceGeometry, a_shadow_ray_ends_at_its_light_or_where_it_is_blocked) {
         if (ray.start().kind != RayKind::shadow) continue;
         const RayEnd end = drawn_end(ray, 3);
         EXPECT_FALSE(end.open);
-        if (is_blocked(ray)) EXPECT_LT(end.t, ray.start().reach);
-        else EXPECT_EQ(end.t, ray.start().reach);
+        EXPECT_EQ(end.t < ray.start().reach, is_blocked(ray));
+        EXPECT_LE(end.t, ray.start().reach);
         ++seen;
     }
     EXPECT_GT(seen, 0U);
@@ -96,8 +97,9 @@ TEST(TraceGeometry, inside_intervals_lie_on_their_rays_at_the_recorded_t) {
                 ASSERT_LT(row, data->GetNumberOfLines());
                 const Ray<double> line{ray.start().origin, ray.start().direction};
                 EXPECT_TRUE(same_bits(point_of(data, 2 * row), line.at(std::max(span.enter.t, 0.0))));
-                if (std::isfinite(span.exit.t))
+                if (std::isfinite(span.exit.t)) {
                     EXPECT_TRUE(same_bits(point_of(data, 2 * row + 1), line.at(span.exit.t)));
+                }
                 EXPECT_EQ(value(data->GetCellData(), "t_enter", row), span.enter.t);
                 EXPECT_EQ(value(data->GetCellData(), "t_exit", row), span.exit.t);
                 ++row;

@@ -44,8 +44,8 @@ TEST(Vtm, has_all_blocks_and_arrays_with_the_traces_own_points) {
     auto* inside = vtkPolyData::SafeDownCast(block(blocks, "inside_intervals"));
     auto* surfaces = vtkMultiBlockDataSet::SafeDownCast(block(blocks, "surfaces"));
     ASSERT_TRUE(rays != nullptr && hits != nullptr && inside != nullptr && surfaces != nullptr);
-    for (const char* name : {"ray_id", "parent_id", "step", "depth", "kind", "kind_name", "object_name", "t_hit",
-                             "weight", "direction", "open", "blocked"})
+    for (const char* name : {"ray_id", "parent_id", "step", "depth", "kind", "kind_name", "object_name",
+                             "t_hit", "weight", "direction", "open", "blocked"})
         EXPECT_TRUE(rays->GetCellData()->HasArray(name)) << name;
     for (const char* name : {"ray_id", "step", "object_name", "t_hit", "error_bound", "Normals"})
         EXPECT_TRUE(hits->GetPointData()->HasArray(name)) << name;
@@ -74,7 +74,8 @@ TEST(Vtm, replaces_an_older_one_and_nothing_else) {
 
 TEST(Vtm, leaves_nothing_where_it_cant_write) {
     const TemporaryFolder folder;
-    EXPECT_THROW(drawing::write_vtm(bowl(), bowl_trace(), folder.path() / "no folder" / "a.vtm"), std::runtime_error);
+    EXPECT_THROW(drawing::write_vtm(bowl(), bowl_trace(), folder.path() / "no folder" / "a.vtm"),
+                 std::runtime_error);
     EXPECT_THROW(drawing::write_vtm(bowl(), bowl_trace(), folder.path() / "a.txt"), InputError);
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }

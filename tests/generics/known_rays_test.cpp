@@ -62,8 +62,8 @@ TEST(KnownRays, cylinder) {
     expect_spans(cylinder, {{5, 0, 0}, {-1, 0, 0}}, {{4, 6, wall, wall}});
     expect_spans(cylinder, {{0.3, 0.2, 5}, {0, 0, -1}}, {{4, 6, top, bottom}});
     expect_spans(cylinder, {{0.3, 0.2, -5}, {0, 0, 1}}, {{4, 6, bottom, top}});
-    expect_spans(cylinder, {{0, 0, 3}, {0.25, 0, -1}}, {{2, 4, top, wall}});
-    expect_spans(cylinder, {{0, -3, 0}, {0, 1, 0.25}}, {{2, 4, wall, top}});
+    expect_spans(cylinder, {{0, 0, 3}, {0.3, 0, -1}}, {{2, 10.0 / 3, top, wall}});
+    expect_spans(cylinder, {{0, -3, 0}, {0, 1, 0.3}}, {{2, 10.0 / 3, wall, top}});
     expect_spans(cylinder, {{0, 0, 0}, {0, 1, 0}}, {{-1, 1, wall, wall}});
     expect_spans(cylinder, {{5, 0, 0}, {1, 0, 0}}, {{-6, -4, wall, wall}});
     expect_spans(cylinder, {{0.5, 0, 0}, {-0.0, 0.0, 1}}, {{-1, 1, bottom, top}});

@@ -22,7 +22,7 @@ Vec3d slope_of_value(const Solid<double>& solid, const Vec3d& at) {
 }
 
 TEST(Normal, is_unit_and_points_outward_also_under_shear_and_mirror) {
-    int checked = 0;
+    int checked = 0, agree = 0;
     for (const Generic<double>& shape : solid_generics())
         for (std::uint64_t seed = 1; seed <= std::uint64_t(samples(1000)); ++seed) {
             Random random(seed);
@@ -40,10 +40,11 @@ TEST(Normal, is_unit_and_points_outward_also_under_shear_and_mirror) {
                     ASSERT_NEAR(dot(n, n), 1, 1e-15) << what;
                     ASSERT_TRUE(entering ? dot(n, ray.direction) <= 0 : dot(n, ray.direction) >= 0) << what;
                     const Vec3d slope = slope_of_value(solid, ray.at(t));
-                    if (dot(slope, n) > 0.9999) ++checked; // near rims the difference reaches around the corner
+                    ++checked;
+                    if (dot(slope, n) > 0.9999) ++agree; // near rims the difference reaches around the corner
                 }
         }
-    EXPECT_GT(checked, samples(9 * 1000) * 14 / 10);
+    EXPECT_GT(agree, checked - checked / 100) << "of " << checked;
 }
 
 TEST(Normal, each_face_has_its_own) {

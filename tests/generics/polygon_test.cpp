@@ -135,8 +135,8 @@ TEST(OpenTube, keeps_the_crossings_of_the_wall_alone) {
     using List = std::vector<double>;
     EXPECT_EQ(ts(cylinder.intervals({{-3, 0, 0}, {1, 0, 0}})), (List{2, 4}));
     EXPECT_EQ(ts(cylinder.intervals({{0, 0, -3}, {0, 0, 1}})), List{});            // through the open ends
-    EXPECT_EQ(ts(cylinder.intervals({{0, 0, 3}, {0.25, 0, -1}})), (List{4}));      // in by the end, out by the wall
-    EXPECT_EQ(ts(cylinder.intervals({{0, -3, 0}, {0, 1, 0.25}})), (List{2}));      // in by the wall, out by the end
+    EXPECT_EQ(ts(cylinder.intervals({{0, 0, 3}, {0.5, 0, -1.25}})), (List{2}));      // in by the end, out by the wall
+    EXPECT_EQ(ts(cylinder.intervals({{0, -3, 0}, {0, 1, 0.3}})), (List{2}));      // in by the wall, out by the end
     EXPECT_EQ(ts(cylinder.intervals({{-3, 0, 2}, {1, 0, 0}})), List{});
     EXPECT_EQ(ts(cylinder.intervals({{1, 0, 0}, {-1, 0, 0}}, 0)), (List{0, 2}));   // leaving: t = 0, and the far wall
     const OpenCone<double> cone{0.5};

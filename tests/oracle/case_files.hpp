@@ -22,11 +22,12 @@ struct CaseFile {
 /// The case files of a folder, by name; empty if there is no such folder.
 [[nodiscard]] std::vector<CaseFile> case_files(const std::filesystem::path& folder);
 
-/// Families of a kind, in the chosen folder or shipped: the names under which tests are registered. A shipped one stays
-/// in the list when another folder is chosen, since the list is made when the tests are built.
+/// Families of a kind, in the chosen folder or shipped: the names under which tests are registered. A shipped
+/// one stays in the list when another folder is chosen, since ctest's list is made when the tests are built.
 [[nodiscard]] std::vector<std::string> families(const std::string& kind);
 
-/// A test of one family. It fails if the chosen folder holds no case files at all, and is skipped if it holds others.
+/// A test of one family. It fails if the chosen folder holds no case files at all, and is skipped if it holds
+/// only others.
 class FamilyTest : public testing::TestWithParam<std::string> {
 protected:
     void SetUp() override;

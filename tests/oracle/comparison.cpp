@@ -140,8 +140,8 @@ Fault fault_in_end(const LineCase& exact, const ExactBound& bound, const FoundEn
     if (!meets)
         return text("at t = ", hex(found.t), " the surface is leaf ", found.leaf, ", face ", found.face,
                     found.flipped ? ", flipped" : "", ", which does not meet that point");
-    // Where the file states no tolerance for the normal: the scales of its leaves and the lengths of its rays are
-    // mild, so that the error of the point turns it by less than a hundred times itself.
+    // Where the file states no tolerance for the normal: the scales of its leaves and the lengths of its rays
+    // are mild, so that the error of the point turns it by less than a hundred times itself.
     const double allowed = bound.normal_tolerance.value_or(1e-10 + 100 * bound.tolerance);
     const double off = normal ? distance(*normal, found.normal) : 0;
     if (off <= allowed) return {};

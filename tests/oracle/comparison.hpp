@@ -32,7 +32,8 @@ inline constexpr double allowed_share = 4.0 / 64.0;
 /// No NaN, and ascending: enter < exit ≤ next enter.
 [[nodiscard]] Fault fault_in_order(const FoundSpans& found);
 
-/// As many spans as `exact`, and every end within `share` of its tolerance: the tight one, or (loose) the plain one.
+/// As many spans as `spans`, and every end within `allowed_share` of its tight tolerance, or (loose)
+/// within its plain one.
 [[nodiscard]] Fault fault_in_spans(const LineCase& exact, const std::vector<ExactSpan>& spans,
                                    const FoundSpans& found, bool loose = false);
 
@@ -43,15 +44,15 @@ struct Piece {
 /// Where exact and found spans differ.
 [[nodiscard]] std::vector<Piece> symmetric_difference(const LineCase& exact, const FoundSpans& found);
 
-/// The length of that against the sum of all tolerances. A near miss has no exact hit and so no tolerance: pieces whose
-/// middle lies on a surface, up to the error that decidability is about, do not count.
+/// The length of that against the sum of all tolerances. A near miss has no exact hit and so no tolerance:
+/// pieces whose middle lies on a surface, up to the error that decidability is about, do not count.
 [[nodiscard]] Fault fault_in_measure(const LineCase& exact, const FoundSpans& found);
 
 /// All of the above, as the case's flags ask for it.
 [[nodiscard]] Fault fault_in_case(const LineCase& exact, const FoundSpans& found);
 
-/// Leaf, face, side and normal are those of a surface that meets there; or of the same leaf's neighbouring face, where
-/// rounding can move the point across their edge.
+/// Leaf, face, side and normal are those of a surface that meets there; or of the same leaf's neighbouring
+/// face, where rounding can move the point across their edge.
 [[nodiscard]] Fault fault_in_end(const LineCase& exact, const ExactBound& bound, const FoundEnd& found);
 
 /// The exact bounds with their found ends, in order; empty where their numbers differ.

@@ -115,7 +115,8 @@ TEST(Comparison, DifferencesOfSpansAreMeasured) {
     EXPECT_EQ(length_of(symmetric_difference(two_spans(), {span(0, infinity<double>)})), infinity<double>);
 }
 
-// A line in a face of a cube, or beside it by less than rounding, may be inside all along; farther off it may not.
+// A line in a face of a cube, or beside it by less than rounding, may be inside all along; farther off it may
+// not.
 TEST(Comparison, ASpanAlongAFaceIsDoubtful) {
     LineCase exact = two_spans();
     exact.bounds.clear();

@@ -22,8 +22,8 @@ template <typename Check> void expect_no_fault(const std::vector<LineCase>& case
     EXPECT_EQ(wrong, 0) << "cases wrong of " << cases.size();
 }
 
-// Where the traced ray may end: the first bound ahead, and those about t = 0, which rounding may put on either side.
-// Sets `required` to false if a miss is right too.
+// Where the traced ray may end: the first bound ahead, and those about t = 0, which rounding may put on
+// either side. Sets `required` to false if a miss is right too.
 std::vector<const ExactBound*> candidates(const std::vector<MatchedEnd>& ends, bool& required) {
     std::vector<const ExactBound*> bounds;
     for (const auto& [bound, found] : ends) {

@@ -18,7 +18,9 @@ WideVector cross(const WideVector& a, const WideVector& b) {
 
 Wide dot(const WideVector& a, const WideVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-WideVector column(const Mat4d& matrix, int j) { return {matrix[j][0], matrix[j][1], matrix[j][2]}; }
+WideVector column(const Mat4d& matrix, int j) {
+    return {Wide(matrix[j][0]), Wide(matrix[j][1]), Wide(matrix[j][2])};
+}
 
 // Rows of the inverse of the linear part: reciprocal basis.
 WideMatrix inverse(const Mat4d& matrix) {

@@ -1,5 +1,6 @@
 #pragma once
-// Where a point of a ray lies in a leaf, computed apart from the core in 113 bits: for what the case files don't state.
+// Where a point of a ray lies in a leaf, apart from the core and in 113 bits: for what the case files don't
+// state.
 
 #include "tests/oracle/cases.hpp"
 

@@ -5,8 +5,8 @@
 
 namespace rayscope::test {
 
-/// Expects total internal reflection, refracted and mirrored direction to be right, and prints the first few that are
-/// not. Where total reflection can't be decided, either answer is right.
+/// Expects total internal reflection, refracted and mirrored direction to be right, and prints the first few
+/// that are not. Where total reflection can't be decided, either answer is right.
 void expect_refraction(const std::vector<RefractionCase>& cases);
 
 } // namespace rayscope::test

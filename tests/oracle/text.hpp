@@ -1,5 +1,6 @@
 #pragma once
-// Messages from parts. (Sums of strings that start with a literal make GCC 12 warn of overlaps that are not there.)
+// Messages from parts. (Sums of strings that start with a literal make GCC 12 warn of overlaps that don't
+// exist.)
 
 #include <sstream>
 #include <string>

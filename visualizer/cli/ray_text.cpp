@@ -77,6 +77,7 @@ void add_hit(Page& page, const Trace& trace, int index, const StepStyle& style) 
     page.item("normal", "n = " + number.vector(hit->normal) + ", outward");
     if (hit->facing != hit->normal)
         page.item("", "turned against the ray: n = " + number.vector(hit->facing));
+    if (hit->medium_from == hit->medium_to) return; // an opaque object: nothing goes on
     page.item("media", "from " + medium_name(trace, hit->medium_from) + " (speed" + glue +
                            number(hit->speed_from) + ") to " + medium_name(trace, hit->medium_to) +
                            " (speed" + glue + number(hit->speed_to) + ")");

@@ -57,6 +57,7 @@ void Session::run() {
     LineInput input;
     std::fputs("\nnext, in, over, out, back, goto N, tree, ray, colour, help, quit\n", stdout);
     while (!ended_) {
+        std::fputs("\n", stdout);
         const auto line = input.read(prompt());
         if (!line) {
             std::fputs("\n", stdout);

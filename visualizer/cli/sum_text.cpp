@@ -13,7 +13,7 @@ double total(const Colour& colour) { return colour.x + colour.y + colour.z; }
 /// "text = result", and the percentage at the right edge of its last line.
 void add_row(Page& page, const std::string& label, const std::string& product, const std::string& result,
              const std::string& share) {
-    constexpr std::size_t label_width = 24, share_width = 9;
+    constexpr std::size_t label_width = 25, share_width = 9;
     const std::string start =
         "  " + label + std::string(columns(label) < label_width ? label_width - columns(label) : 1, ' ');
     const std::size_t indent = columns(start);

@@ -29,7 +29,7 @@ std::string what_happened(const Trace& trace, const TracedRay& ray, const Number
     const auto* hit = ray.find<BoundaryChosen>();
     if (hit == nullptr) return "not recorded to its end";
     const bool passes = ray.find<Refracted>() != nullptr;
-    const char* verb = ray.find<TotallyReflected>() != nullptr ? "is totally reflected inside "
+    const char* verb = ray.find<TotallyReflected>() != nullptr ? "is totally reflected at "
                        : !passes                               ? "meets "
                        : hit->entering                         ? "enters "
                                                                : "leaves ";

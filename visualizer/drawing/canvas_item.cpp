@@ -15,8 +15,9 @@ namespace {
 constexpr double below_middle = 0.36 + 0.236;
 
 class Painter {
-  public:
-    Painter(vtkContext2D* context, int height, int scale) : context_(context), height_(height), scale_(scale) {}
+public:
+    Painter(vtkContext2D* context, int height, int scale)
+        : context_(context), height_(height), scale_(scale) {}
 
     void operator()(const FilledArea& shape) const {
         fill(shape.colour, shape.opacity);
@@ -39,8 +40,10 @@ class Painter {
         pen->SetWidth(float(shape.width * scale_));
         pen->SetLineType(vtkPen::SOLID_LINE);
         for (std::size_t i = 0; i + 1 < shape.points.size(); ++i) {
-            if (shape.dashed) dashes(shape.points[i], shape.points[i + 1]);
-            else line(shape.points[i], shape.points[i + 1]);
+            if (shape.dashed)
+                dashes(shape.points[i], shape.points[i + 1]);
+            else
+                line(shape.points[i], shape.points[i + 1]);
         }
     }
     void operator()(const Text& shape) const {
@@ -50,7 +53,7 @@ class Painter {
         context_->DrawString(x(area.x), y(shape.at.y + below_middle * shape.size), shape.text.c_str());
     }
 
-  private:
+private:
     [[nodiscard]] float x(double canvas) const { return float(canvas * scale_); }
     [[nodiscard]] float y(double canvas) const { return float((height_ - canvas) * scale_); }
     [[nodiscard]] std::vector<float> flat(const std::vector<Pixel>& points) const {

@@ -8,7 +8,7 @@
 namespace rayscope::drawing {
 
 class CanvasItem : public vtkContextItem {
-  public:
+public:
     static CanvasItem* New();
     vtkTypeMacro(CanvasItem, vtkContextItem);
 
@@ -16,7 +16,7 @@ class CanvasItem : public vtkContextItem {
     void show(Canvas canvas, int height, int scale);
     bool Paint(vtkContext2D* painter) override;
 
-  private:
+private:
     Canvas canvas_;
     int height_ = 0, scale_ = 1;
 };

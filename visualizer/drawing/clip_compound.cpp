@@ -23,8 +23,9 @@ struct Condition {
 };
 
 class Tree {
-  public:
-    explicit Tree(const Scene& scene, std::vector<ExpandedNode> nodes) : scene_(scene), nodes_(std::move(nodes)) {
+public:
+    explicit Tree(const Scene& scene, std::vector<ExpandedNode> nodes)
+        : scene_(scene), nodes_(std::move(nodes)) {
         parents_.assign(nodes_.size(), std::uint32_t(nodes_.size()));
         for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
             if (nodes_[i].operation == Operation::leaf) {
@@ -65,7 +66,7 @@ class Tree {
         return (condition.keep == Keep::inside ? v : -v) - condition.tolerance;
     }
 
-  private:
+private:
     [[nodiscard]] double value(std::uint32_t node, const Vec3d& world) const {
         const ExpandedNode& n = nodes_[node];
         switch (n.operation) {

@@ -35,12 +35,14 @@ const char* reason_text(Reason reason) {
 }
 
 class Collector {
-  public:
+public:
     Collector(const Trace& trace, const TracedRay& ray) : trace_(trace), ray_(ray) {}
 
     std::vector<Detail> lines;
 
-    void add(std::string name, std::string value) { lines.push_back({std::move(name), std::move(value), {}}); }
+    void add(std::string name, std::string value) {
+        lines.push_back({std::move(name), std::move(value), {}});
+    }
 
     void operator()(const BoundaryChosen& e) {
         add("hit", object_name(trace_, e.object) + (e.entering ? " (enters)" : " (leaves)"));
@@ -76,7 +78,7 @@ class Collector {
     }
     void operator()(const auto&) {}
 
-  private:
+private:
     const Trace& trace_;
     const TracedRay& ray_;
 };
@@ -87,11 +89,13 @@ std::vector<Detail> details_of(const Trace& trace, int id) {
     const TracedRay& ray = trace.rays[std::size_t(id)];
     const RaySpawned& start = ray.start();
     Collector collect(trace, ray);
-    collect.add("depth", std::to_string(start.depth) + (ray.parent == none ? "" : ",  parent ray " + std::to_string(ray.parent)));
+    collect.add("depth", std::to_string(start.depth) +
+                             (ray.parent == none ? "" : ",  parent ray " + std::to_string(ray.parent)));
     collect.add("weight", number(weight(ray), 4));
     collect.add("origin", triple(start.origin));
     collect.add("direction", triple(start.direction));
-    if (const double size = length(start.direction); std::abs(size - 1) > 1e-9) collect.add("|d|", number(size, 6));
+    if (const double size = length(start.direction); std::abs(size - 1) > 1e-9)
+        collect.add("|d|", number(size, 6));
     if (start.kind == RayKind::shadow) {
         collect.add(is_blocked(ray) ? "blocked by" : "reaches", target_name(trace, ray));
         collect.add("t", number(drawn_end(ray, infinity<double>).t, 7));
@@ -107,10 +111,15 @@ void draw_details(Canvas& canvas, const Area& area, const Trace& trace, int id, 
     const double left = area.x + font * 0.9, right = area.right() - font * 0.8;
     canvas.add(Stroke{{{area.x, area.y}, {area.right(), area.y}}, hair, 1});
     const double title_y = area.y + font * 1.2;
-    canvas.add(Stroke{{{left, title_y}, {left + font * 1.6, title_y}}, ray_colour(ray), 3,
+    canvas.add(Stroke{{{left, title_y}, {left + font * 1.6, title_y}},
+                      ray_colour(ray),
+                      3,
                       ray.start().kind == RayKind::shadow});
-    canvas.add(Text{{left + font * 2.1, title_y}, "Ray " + std::to_string(id) + ": " + kind_name(ray.start().kind),
-                    font * 1.08, ray_text_colour(ray), Font::bold});
+    canvas.add(Text{{left + font * 2.1, title_y},
+                    "Ray " + std::to_string(id) + ": " + kind_name(ray.start().kind),
+                    font * 1.08,
+                    ray_text_colour(ray),
+                    Font::bold});
 
     const double foot = area.bottom() - font * 2.6;
     const double value_x = left + font * 5.4;
@@ -124,15 +133,19 @@ void draw_details(Canvas& canvas, const Area& area, const Trace& trace, int id, 
         double x = value_x;
         if (detail.swatch) {
             const Area swatch{x, y - font * 0.5, font * 1.8, font};
-            canvas.add(FilledArea{{swatch.x - 1, swatch.y - 1, swatch.width + 2, swatch.height + 2}, quiet_ink});
+            canvas.add(
+                FilledArea{{swatch.x - 1, swatch.y - 1, swatch.width + 2, swatch.height + 2}, quiet_ink});
             canvas.add(FilledArea{swatch, on_screen(*detail.swatch)});
             x += font * 2.4;
         }
         const bool vector = detail.value.starts_with(' ');
         const Font face = vector ? Font::mono : Font::sans;
         const double size = vector ? font * 0.95 : font;
-        canvas.add(Text{{x, y}, elided(vector ? detail.value.substr(1) : detail.value, face, size, right - x), size,
-                        ink, face});
+        canvas.add(Text{{x, y},
+                        elided(vector ? detail.value.substr(1) : detail.value, face, size, right - x),
+                        size,
+                        ink,
+                        face});
         y += font * line;
     }
 
@@ -145,8 +158,10 @@ void draw_details(Canvas& canvas, const Area& area, const Trace& trace, int id, 
     canvas.add(FilledArea{{swatch.x - 1, swatch.y - 1, swatch.width + 2, swatch.height + 2}, quiet_ink});
     canvas.add(FilledArea{swatch, on_screen(trace.colour)});
     const double text_x = swatch.right() + font * 0.8;
-    canvas.add(Text{{text_x, middle}, elided(rgb(trace.colour) + "  linear RGB", Font::sans, font, right - text_x),
-                    font, ink});
+    canvas.add(Text{{text_x, middle},
+                    elided(rgb(trace.colour) + "  linear RGB", Font::sans, font, right - text_x),
+                    font,
+                    ink});
 }
 
 } // namespace rayscope::drawing

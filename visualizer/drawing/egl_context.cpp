@@ -24,8 +24,8 @@ void make_context_current() {
             eglBindAPI(EGL_OPENGL_API) == EGL_FALSE)
             throw std::runtime_error("EGL could not be started (is libegl-mesa0 installed?)");
 
-        constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                               EGL_NONE};
+        constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                               EGL_OPENGL_BIT, EGL_NONE};
         constexpr std::array<EGLint, 7> version{EGL_CONTEXT_MAJOR_VERSION,
                                                 3,
                                                 EGL_CONTEXT_MINOR_VERSION,

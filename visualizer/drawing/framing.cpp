@@ -8,7 +8,9 @@
 namespace rayscope::drawing {
 namespace {
 
-constexpr double eye_within = 5; // radii of the region: a nearer eye is in the picture
+constexpr double eye_within = 2.4; // radii of the region: a nearer eye is in the picture
+
+constexpr double path_within = 8; // … as is this much of the current ray's path
 
 /// A stretch of a ray near the region, and how much it matters.
 struct Stretch {
@@ -25,15 +27,16 @@ std::vector<Stretch> stretches(const Trace& trace, const Region& region) {
         const bool shadow = start.kind == RayKind::shadow;
         const RayEnd end = drawn_end(ray, region.open_length());
         Vec3d from = start.origin, to = end.point;
-        if (!region.holds(to, 1.5)) to = from + normalized(to - from) * (0.6 * region.radius);
-        if (!region.holds(from, eye_within)) from = to + normalized(from - to) * (1.6 * region.radius);
+        if (!region.holds(to, 1.5)) to = from + normalized(to - from) * (0.45 * region.radius);
+        if (!region.holds(from, eye_within)) from = to + normalized(from - to) * (0.9 * region.radius);
         found.push_back({from, to, (eye ? 1.5 : 1.0) * (shadow ? 0.15 : 1.0) * std::pow(weight(ray), 0.35)});
         if (found.size() > 2000) break;
     }
     return found;
 }
 
-std::vector<Vec3d> interesting_points(const std::vector<Stretch>& rays, const Trace& trace, const Region& region) {
+std::vector<Vec3d> interesting_points(const std::vector<Stretch>& rays, const Trace& trace,
+                                      const Region& region) {
     std::vector<Vec3d> points;
     for (const Stretch& ray : rays) {
         if (!(ray.importance > 0.15)) continue;
@@ -75,7 +78,8 @@ std::vector<Vec3d> walls(const Scene& scene, const Region& region) {
 }
 
 /// How well the rays can be followed from there: their lengths as seen, against lines of sight through walls.
-double score(const Vec3d& back, const Vec3d& up, const std::vector<Stretch>& rays, const std::vector<Vec3d>& planes) {
+double score(const Vec3d& back, const Vec3d& up, const std::vector<Stretch>& rays,
+             const std::vector<Vec3d>& planes) {
     double seen = 0, all = 0;
     for (const Stretch& ray : rays) {
         const Vec3d d = ray.to - ray.from;
@@ -87,7 +91,8 @@ double score(const Vec3d& back, const Vec3d& up, const std::vector<Stretch>& ray
     for (const Vec3d& normal : planes)
         if (dot(normal, back) < 0.08) result -= dot(normal, up) > 0.7 ? 1 : 0.06;
     const Vec3d right = normalized(cross(up, back));
-    if (!rays.empty() && dot(rays.front().to - rays.front().from, right) > 0) result += 0.03; // reads left to right
+    if (!rays.empty() && dot(rays.front().to - rays.front().from, right) > 0)
+        result += 0.03; // reads left to right
     return result;
 }
 
@@ -98,7 +103,7 @@ Vec3d upward(const Scene& scene) {
 
 } // namespace
 
-View framed(const Trace& trace, const Scene& scene, const Region& region, const Area& area) {
+View framed(const Trace& trace, const Scene& scene, const Region& region, const Area& area, int chosen) {
     const std::vector<Stretch> rays = stretches(trace, region);
     const std::vector<Vec3d> planes = walls(scene, region);
     const Vec3d up = upward(scene);
@@ -109,14 +114,23 @@ View framed(const Trace& trace, const Scene& scene, const Region& region, const 
     for (const double elevation : {14.0, 24.0, 36.0, 50.0})
         for (int step = 0; step < 36; ++step) {
             const double a = step * 10 * std::numbers::pi / 180, e = elevation * std::numbers::pi / 180;
-            const Vec3d back = normalized((east * std::cos(a) + north * std::sin(a)) * std::cos(e) + up * std::sin(e));
+            const Vec3d back =
+                normalized((east * std::cos(a) + north * std::sin(a)) * std::cos(e) + up * std::sin(e));
             const double s = score(back, up, rays, planes) - std::abs(elevation - 22) * 0.004;
             if (s > best_score) {
                 best_score = s;
                 best = back;
             }
         }
-    const std::vector<Vec3d> points = interesting_points(rays, trace, region);
+    std::vector<Vec3d> points = interesting_points(rays, trace, region);
+    for (const int i : path_to(trace, chosen)) {
+        const TracedRay& ray = trace.rays[std::size_t(i)];
+        if (ray.parent != none && region.holds(ray.start().origin, path_within))
+            points.push_back(ray.start().origin);
+        if (const auto* hit = ray.find<BoundaryChosen>();
+            hit != nullptr && region.holds(hit->point, path_within))
+            points.push_back(hit->point);
+    }
     return {region, area, best, up, points, 0.86};
 }
 

@@ -5,7 +5,9 @@
 
 namespace rayscope::drawing {
 
-/// The same for every current ray, so that pictures of successive steps can be compared.
-[[nodiscard]] View framed(const Trace& trace, const Scene& scene, const Region& region, const Area& area);
+/// The direction is the same for every current ray, so that pictures of successive steps can be compared.
+/// @param chosen a ray whose path must be in the picture, or none
+[[nodiscard]] View framed(const Trace& trace, const Scene& scene, const Region& region, const Area& area,
+                          int chosen);
 
 } // namespace rayscope::drawing

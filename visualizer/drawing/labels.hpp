@@ -16,10 +16,11 @@ struct Label {
 };
 
 class LabelPlacer {
-  public:
+public:
     /// @param within no label leaves this area
     /// @param strokes lines that labels avoid to cover, where they can
-    LabelPlacer(const Area& within, const std::vector<FlatSegment>& strokes) : within_(within), strokes_(strokes) {}
+    LabelPlacer(const Area& within, const std::vector<FlatSegment>& strokes)
+        : within_(within), strokes_(strokes) {}
 
     /// Nothing may be put there any more.
     void reserve(const Area& area) { taken_.push_back(area); }
@@ -28,7 +29,7 @@ class LabelPlacer {
 
     [[nodiscard]] const std::vector<Area>& taken() const { return taken_; }
 
-  private:
+private:
     [[nodiscard]] double cost(const Area& area) const;
 
     Area within_;

@@ -5,14 +5,17 @@
 namespace rayscope::drawing {
 namespace {
 
-bool meets(const std::vector<Lane>& group) {
-    return std::ranges::any_of(group, [](const Lane& lane) {
-        return std::ranges::any_of(lane.spans, [](const SpanFound& span) { return span.exit.t > 0; });
+/// Inside somewhere between the start and `limit`.
+bool meets(const std::vector<Lane>& group, double limit) {
+    return std::ranges::any_of(group, [&](const Lane& lane) {
+        return std::ranges::any_of(
+            lane.spans, [&](const SpanFound& span) { return span.exit.t > 0 && span.enter.t < limit; });
     });
 }
 
 const TraceObject* object_of(const Trace& trace, Id object) {
-    return object >= 0 && std::size_t(object) < trace.objects.size() ? &trace.objects[std::size_t(object)] : nullptr;
+    return object >= 0 && std::size_t(object) < trace.objects.size() ? &trace.objects[std::size_t(object)]
+                                                                     : nullptr;
 }
 
 } // namespace
@@ -35,13 +38,18 @@ Lanes lanes_of(const Trace& trace, const TracedRay& ray, std::size_t most) {
         if (groups.empty() || groups.back().front().object != node->object) groups.emplace_back();
         const TraceObject* owner = object_of(trace, node->object);
         const bool root = owner != nullptr && node->node + 1 == Id(owner->nodes.size());
-        groups.back().push_back({node->object, node->node, lane_label(trace, node->object, node->node), {}, root,
+        groups.back().push_back({node->object,
+                                 node->node,
+                                 lane_label(trace, node->object, node->node),
+                                 {},
+                                 root,
                                  spans_after(ray, i)});
     }
     const auto* hit = ray.find<BoundaryChosen>();
+    const double limit = hit != nullptr ? far_behind * hit->boundary.t : infinity<double>;
     const auto rank = [&](const std::vector<Lane>& group) {
         if (hit != nullptr && group.front().object == hit->object) return 0;
-        return meets(group) ? 1 : 2;
+        return meets(group, limit) ? 1 : 2;
     };
     std::ranges::stable_sort(groups, std::less{}, rank);
     Lanes lanes;
@@ -53,7 +61,8 @@ Lanes lanes_of(const Trace& trace, const TracedRay& ray, std::size_t most) {
             lane.colour = lane_colour(colour++ + (rank(group) == 0 ? 0 : lanes.shown.size()),
                                       lane.root && group.size() > 1);
             // Of what was hit, the last lane shown is the root, even if others must go.
-            if (lanes.shown.size() < most) lanes.shown.push_back(std::move(lane));
+            if (lanes.shown.size() < most)
+                lanes.shown.push_back(std::move(lane));
             else {
                 ++lanes.hidden;
                 if (lane.root && rank(group) == 0) lanes.shown.back() = std::move(lane);

@@ -15,6 +15,9 @@ struct Lane {
     std::vector<SpanFound> spans;
 };
 
+/// What a ray's line meets only so many times farther than its hit is not shown.
+inline constexpr double far_behind = 3.5;
+
 struct Lanes {
     std::vector<Lane> shown;
     std::size_t hidden = 0;

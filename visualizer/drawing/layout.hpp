@@ -9,12 +9,14 @@ namespace rayscope::drawing {
 struct PictureSize {
     int width = 1280, height = 720;
 
-    [[nodiscard]] bool valid() const { return width >= 480 && height >= 320 && width <= 7680 && height <= 4320; }
+    [[nodiscard]] bool valid() const {
+        return width >= 480 && height >= 320 && width <= 7680 && height <= 4320;
+    }
 };
 
 struct Layout {
-    double font = 12;   ///< pixels; at least 10, whatever the picture's size
-    double pixels = 1;  ///< width of a hair line
+    double font = 12;  ///< pixels; at least 10, whatever the picture's size
+    double pixels = 1; ///< width of a hair line
     Area title, view, legend, timeline, tree, details;
 };
 

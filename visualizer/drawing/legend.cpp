@@ -28,8 +28,8 @@ std::vector<Entry> entries_of(const Trace& trace, bool ghosts) {
         if (const auto* ray = first([&](const TracedRay& r) {
                 return r.start().kind == RayKind::shadow && is_blocked(r) == blocked;
             }))
-            entries.push_back({blocked ? "shadow, blocked" : "shadow, light seen", ray_colour(*ray),
-                               Entry::Mark::dashes});
+            entries.push_back(
+                {blocked ? "shadow, blocked" : "shadow, light seen", ray_colour(*ray), Entry::Mark::dashes});
     if (first([](const TracedRay& r) { return r.find<BoundaryChosen>() != nullptr; }) != nullptr) {
         entries.push_back({"hit", hit_purple, Entry::Mark::dot});
         entries.push_back({"normal", normal_green, Entry::Mark::arrow});
@@ -46,18 +46,22 @@ void draw_mark(Canvas& canvas, const Entry& entry, double x, double y, double wi
     case Entry::Mark::line: canvas.add(Stroke{{from, to}, entry.colour, 3}); break;
     case Entry::Mark::dashes: canvas.add(Stroke{{from, to}, entry.colour, 2.4, true}); break;
     case Entry::Mark::dot: canvas.add(Disc{{x + width / 2, y}, width * 0.2, entry.colour}); break;
-    case Entry::Mark::bar: canvas.add(FilledArea{{x, y - width * 0.14, width, width * 0.28}, entry.colour}); break;
+    case Entry::Mark::bar:
+        canvas.add(FilledArea{{x, y - width * 0.14, width, width * 0.28}, entry.colour});
+        break;
     case Entry::Mark::arrow:
         canvas.add(Stroke{{from, {to.x - width * 0.3, y}}, entry.colour, 2});
-        canvas.add(FilledPolygon{{to, {to.x - width * 0.4, y - width * 0.2}, {to.x - width * 0.4, y + width * 0.2}},
-                                 entry.colour});
+        canvas.add(
+            FilledPolygon{{to, {to.x - width * 0.4, y - width * 0.2}, {to.x - width * 0.4, y + width * 0.2}},
+                          entry.colour});
         break;
     }
 }
 
 } // namespace
 
-double draw_legend(Canvas* canvas, double x, double y, double width, const Trace& trace, bool ghosts, double font) {
+double draw_legend(Canvas* canvas, double x, double y, double width, const Trace& trace, bool ghosts,
+                   double font) {
     const double row = font * 1.6, mark = font * 1.9, gap = font * 1.3;
     double at = x, line = y;
     for (const Entry& entry : entries_of(trace, ghosts)) {

@@ -7,6 +7,7 @@ namespace rayscope::drawing {
 
 /// Draws from left to right in as many rows as are needed, and returns their height. Without a canvas it only
 /// measures.
-double draw_legend(Canvas* canvas, double x, double y, double width, const Trace& trace, bool ghosts, double font);
+double draw_legend(Canvas* canvas, double x, double y, double width, const Trace& trace, bool ghosts,
+                   double font);
 
 } // namespace rayscope::drawing

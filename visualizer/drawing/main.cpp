@@ -20,8 +20,10 @@ struct Arguments {
 };
 
 void add_files(CLI::App& command, Arguments& arguments) {
-    command.add_option("--scene", arguments.scene, "The scene file (.toml or .nff) that the trace is of")->required();
-    command.add_option("--trace", arguments.trace, "The trace (.json), as `rayscope trace` writes it")->required();
+    command.add_option("--scene", arguments.scene, "The scene file (.toml or .nff) that the trace is of")
+        ->required();
+    command.add_option("--trace", arguments.trace, "The trace (.json), as `rayscope trace` writes it")
+        ->required();
     command.add_option("-o,--output", arguments.output, "The file to write")->required();
 }
 
@@ -43,7 +45,8 @@ drawing::PictureSize parse_size(const std::string& text) {
     const int read = std::sscanf(text.c_str(), "%5d%c%5d%c", &size.width, &x, &size.height, &rest);
     if (read != 3 || (x != 'x' && x != 'X') || !size.valid())
         throw InputError("--size", {},
-                         "'" + text + "' is no picture size: expected WIDTHxHEIGHT between 480x320 and 7680x4320");
+                         "'" + text +
+                             "' is no picture size: expected WIDTHxHEIGHT between 480x320 and 7680x4320");
     return size;
 }
 
@@ -53,8 +56,8 @@ void draw(const Arguments& arguments) {
     const int rays = int(trace.rays.size());
     if (arguments.ray != none && (arguments.ray < 0 || arguments.ray >= rays))
         throw InputError("--ray", {},
-                         "there is no ray " + std::to_string(arguments.ray) + ": this trace has the rays 0 … " +
-                             std::to_string(rays - 1));
+                         "there is no ray " + std::to_string(arguments.ray) +
+                             ": this trace has the rays 0 … " + std::to_string(rays - 1));
     drawing::write_picture(open(arguments.scene), trace, arguments.output, {size, arguments.ray});
 }
 

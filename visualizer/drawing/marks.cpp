@@ -13,7 +13,7 @@ namespace {
 constexpr Rgb light_text{0x80, 0x60, 0x00};
 
 class Marks {
-  public:
+public:
     Marks(Canvas& canvas, LabelPlacer& placer, const Region& region, const View& view, double font)
         : canvas_(canvas), placer_(placer), region_(region), view_(view), font_(font) {}
 
@@ -36,8 +36,9 @@ class Marks {
         const auto part = view_.visible(origin, to, font_);
         const Vec3d entry = part ? origin + (to - origin) * part->from : origin;
         if (const auto at = part ? view_.pixel(entry) : std::nullopt)
-            placer_.place(canvas_, {fmt::format("{}, {} away", name, number(length(origin - entry) * view_.scale(), 3)), *at, ink,
-                                    font_, Font::bold, font_ * 0.7});
+            placer_.place(
+                canvas_, {fmt::format("{}, {} away", name, number(length(origin - entry) * view_.scale(), 3)),
+                          *at, ink, font_, Font::bold, font_ * 0.7});
     }
 
     void light(const TraceLight& light, std::size_t index) {
@@ -45,7 +46,7 @@ class Marks {
         const Vec3d at_view = light.directional ? Vec3d{0} : view_.to_view(light.position);
         if (const auto at = light.directional ? std::nullopt : inside(at_view)) {
             sun(*at);
-            placer_.place(canvas_, {name, *at, light_text, font_, Font::bold, font_});
+            waiting_.push_back({name, *at, light_text, font_, Font::bold, font_});
             return;
         }
         const Vec3d direction = light.directional ? light.position : normalized(at_view);
@@ -55,10 +56,21 @@ class Marks {
         if (!(size > 0)) return;
         const Pixel tip = border({dx / size, dy / size});
         arrow(tip, {dx / size, dy / size});
-        if (light.directional) name += " (direction)";
-        else name = fmt::format("{}, {} away", name, number(length(light.position - region_.centre), 3));
-        placer_.place(canvas_, {name, {tip.x - dx / size * font_, tip.y - dy / size * font_}, light_text, font_,
-                                Font::bold, font_ * 0.9});
+        if (light.directional)
+            name += " (direction)";
+        else
+            name = fmt::format("{}, {} away", name, number(length(light.position - region_.centre), 3));
+        waiting_.push_back({name,
+                            {tip.x - dx / size * font_, tip.y - dy / size * font_},
+                            light_text,
+                            font_,
+                            Font::bold,
+                            font_ * 0.9});
+    }
+
+    /// The lights' names, once all their marks have a place.
+    void name_lights() {
+        for (const Label& label : waiting_) placer_.place(canvas_, label);
     }
 
     void hit(const Trace& trace, const RayStyle& style) {
@@ -67,18 +79,18 @@ class Marks {
         const auto at = inside(view_.to_view(chosen->point));
         if (!at) return;
         const bool path = style.emphasis == Emphasis::path;
-        placer_.place(canvas_, {fmt::format("P{}", style.ray), *at, mixed(hit_purple, ink, 0.35), font_ * 0.95,
-                                path ? Font::bold : Font::sans, font_ * 0.55});
+        placer_.place(canvas_, {fmt::format("P{}", style.ray), *at, mixed(hit_purple, ink, 0.35),
+                                font_ * 0.95, path ? Font::bold : Font::sans, font_ * 0.55});
     }
 
     void surface(const Surface& surface, const Workbench& bench) {
         const auto at = surface.flat ? on_floor(surface) : on_top(bench.world.objects[surface.drawn].bounds);
         if (at)
-            placer_.place(canvas_, {elided(surface.name, Font::sans, font_, font_ * 14), *at, quiet_ink, font_,
-                                    Font::sans, font_ * 0.4});
+            placer_.place(canvas_, {elided(surface.name, Font::sans, font_, font_ * 14), *at, quiet_ink,
+                                    font_, Font::sans, font_ * 0.4});
     }
 
-  private:
+private:
     [[nodiscard]] std::optional<Pixel> inside(const Vec3d& point) const {
         const auto at = view_.pixel(point);
         const Area& a = view_.area();
@@ -101,8 +113,10 @@ class Marks {
         const double r = font_ * 0.42;
         for (int i = 0; i < 8; ++i) {
             const double angle = i * std::numbers::pi / 4, c = std::cos(angle), s = std::sin(angle);
-            canvas_.add(Stroke{{{at.x + c * r * 1.35, at.y + s * r * 1.35}, {at.x + c * r * 2, at.y + s * r * 2}},
-                               light_text, 1.4});
+            canvas_.add(
+                Stroke{{{at.x + c * r * 1.35, at.y + s * r * 1.35}, {at.x + c * r * 2, at.y + s * r * 2}},
+                       light_text,
+                       1.4});
         }
         canvas_.add(Disc{at, r + 1, light_text});
         canvas_.add(Disc{at, r, light_yellow});
@@ -114,10 +128,11 @@ class Marks {
         const Pixel tail{tip.x - d.x * size * 1.7, tip.y - d.y * size * 1.7};
         const Pixel neck{tip.x - d.x * size * 0.8, tip.y - d.y * size * 0.8};
         canvas_.add(Stroke{{tail, neck}, light_text, 3});
-        canvas_.add(FilledPolygon{{tip, {neck.x - d.y * half, neck.y + d.x * half}, {neck.x + d.y * half, neck.y - d.x * half}},
-                                  light_text});
-        placer_.reserve({std::min(tip.x, tail.x) - 3, std::min(tip.y, tail.y) - 3, std::abs(tip.x - tail.x) + 6,
-                         std::abs(tip.y - tail.y) + 6});
+        canvas_.add(FilledPolygon{
+            {tip, {neck.x - d.y * half, neck.y + d.x * half}, {neck.x + d.y * half, neck.y - d.x * half}},
+            light_text});
+        placer_.reserve({std::min(tip.x, tail.x) - 3, std::min(tip.y, tail.y) - 3,
+                         std::abs(tip.x - tail.x) + 6, std::abs(tip.y - tail.y) + 6});
     }
 
     /// The highest point of a box, as seen.
@@ -156,6 +171,7 @@ class Marks {
     const Region& region_;
     const View& view_;
     double font_;
+    std::vector<Label> waiting_;
 };
 
 } // namespace
@@ -164,8 +180,10 @@ void draw_marks(Canvas& canvas, LabelPlacer& placer, const Trace& trace, const s
                 const Surfaces& surfaces, const Workbench& bench, const Region& region, const View& view,
                 double font) {
     Marks marks(canvas, placer, region, view, font);
+    for (std::size_t i = 0; i < std::min<std::size_t>(trace.lights.size(), 6); ++i)
+        marks.light(trace.lights[i], i);
     marks.eye(trace);
-    for (std::size_t i = 0; i < std::min<std::size_t>(trace.lights.size(), 6); ++i) marks.light(trace.lights[i], i);
+    marks.name_lights();
     constexpr std::size_t most_labels = 24;
     for (std::size_t i = 0, placed = 0; i < styles.size() && placed < most_labels; ++i) {
         if (styles[i].emphasis == Emphasis::ghost) break;

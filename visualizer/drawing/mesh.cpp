@@ -65,8 +65,8 @@ void Mesh::add_ball(const Vec3d& centre, double radius, Rgb colour) {
     for (int j = 0; j <= rings; ++j)
         for (int i = 0; i < turns; ++i) {
             const double latitude = (double(j) / rings - 0.5) * std::numbers::pi;
-            const Vec3d n = around({1, 0, 0}, {0, 1, 0}, i, turns) * std::cos(latitude) +
-                            Vec3d{0, 0, std::sin(latitude)};
+            const Vec3d n =
+                around({1, 0, 0}, {0, 1, 0}, i, turns) * std::cos(latitude) + Vec3d{0, 0, std::sin(latitude)};
             add(centre + n * radius, n, colour);
         }
     for (int j = 0; j < rings; ++j)

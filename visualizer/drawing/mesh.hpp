@@ -9,7 +9,7 @@
 namespace rayscope::drawing {
 
 class Mesh {
-  public:
+public:
     /// A round stroke; its radius may change from one end to the other.
     void add_tube(const Vec3d& from, const Vec3d& to, double radius_from, double radius_to, Rgb colour);
     void add_cone(const Vec3d& base, const Vec3d& tip, double radius, Rgb colour);
@@ -18,7 +18,7 @@ class Mesh {
     /// Triangles and quads with point normals and point colours (unsigned char, 3).
     [[nodiscard]] vtkSmartPointer<vtkPolyData> polydata() const;
 
-  private:
+private:
     int add(const Vec3d& point, const Vec3d& normal, Rgb colour);
 
     std::vector<Vec3d> points_, normals_;

@@ -31,7 +31,9 @@ const char* kind_name(RayKind kind) {
     return names.at(std::size_t(kind));
 }
 
-Rgb lane_colour(std::size_t lane, bool root) { return root ? Rgb{0x33, 0x33, 0x33} : lanes.at(lane % lanes.size()); }
+Rgb lane_colour(std::size_t lane, bool root) {
+    return root ? Rgb{0x33, 0x33, 0x33} : lanes.at(lane % lanes.size());
+}
 
 Rgb mixed(Rgb a, Rgb b, double share) {
     const auto mix = [&](std::uint8_t x, std::uint8_t y) { return byte((x + (y - x) * share) / 255); };

@@ -29,9 +29,12 @@ std::string title_of(const Trace& trace, bool chosen, int current) {
     if (chosen)
         title = "Ray " + std::to_string(current) + " of " + std::to_string(trace.rays.size() - 1) + ": " +
                 kind_name(ray.start().kind) + ", depth " + std::to_string(ray.start().depth);
-    else title = trace.rays.size() == 1 ? "One ray" : "All " + count + " rays";
-    if (trace.source.by_hand) return title + (chosen ? "" : ", the first given by hand");
-    return title + " of pixel (" + std::to_string(trace.source.x) + ", " + std::to_string(trace.source.y) + ")";
+    else
+        title = trace.rays.size() == 1 ? "One ray" : "All " + count + " rays";
+    if (trace.source.by_hand)
+        return title + (trace.rays.size() == 1 ? ", given by hand" : ", the first given by hand");
+    return title + (chosen ? "; pixel (" : " of pixel (") + std::to_string(trace.source.x) + ", " +
+           std::to_string(trace.source.y) + ")";
 }
 
 void draw_title(Canvas& canvas, const Layout& layout, const std::string& title, const Trace& trace,
@@ -44,8 +47,12 @@ void draw_title(Canvas& canvas, const Layout& layout, const std::string& title, 
     const double used = font + text_width(title, Font::bold, size) + 1.5 * font;
     std::string scene = std::filesystem::path(trace.source.scene).filename().string();
     if (!remark.empty()) scene += (scene.empty() ? "" : "   ") + remark;
-    canvas.add(Text{{area.right() - font, y}, elided(scene, Font::sans, font, area.right() - font - used), font,
-                    quiet_ink, Font::sans, Align::right});
+    canvas.add(Text{{area.right() - font, y},
+                    elided(scene, Font::sans, font, area.right() - font - used),
+                    font,
+                    quiet_ink,
+                    Font::sans,
+                    Align::right});
 }
 
 std::string remark_of(const Surfaces& surfaces, const Trace& trace, std::size_t drawn_rays) {
@@ -54,14 +61,16 @@ std::string remark_of(const Surfaces& surfaces, const Trace& trace, std::size_t 
     if (drawn_rays < trace.rays.size())
         remark += (remark.empty() ? "" : ", ") + std::to_string(trace.rays.size() - drawn_rays) +
                   " lightest rays not drawn";
-    if (trace.events_dropped > 0) remark += std::string(remark.empty() ? "" : ", ") + "the trace was cut short";
+    if (trace.events_dropped > 0)
+        remark += std::string(remark.empty() ? "" : ", ") + "the trace was cut short";
     return remark;
 }
 
 } // namespace
 
 Raster draw_picture(const Workbench& bench, const Trace& trace, const PictureOptions& options) {
-    if (trace.rays.empty()) throw InputError(trace.source.scene, {}, "the trace has no rays: there is nothing to draw");
+    if (trace.rays.empty())
+        throw InputError(trace.source.scene, {}, "the trace has no rays: there is nothing to draw");
     const bool chosen = options.ray != none;
     const int current = chosen ? options.ray : 0;
     if (current < 0 || std::size_t(current) >= trace.rays.size())
@@ -71,7 +80,7 @@ Raster draw_picture(const Workbench& bench, const Trace& trace, const PictureOpt
     const Layout layout = layout_of(options.size, trace, current, chosen, lanes);
     const std::vector<Id> drawn = drawn_objects(trace, bench.scene);
     const Region region = region_of(trace, bench, drawn);
-    const View view = framed(trace, bench.scene, region, layout.view);
+    const View view = framed(trace, bench.scene, region, layout.view, options.ray);
     const Surfaces surfaces = surfaces_near(bench, trace, drawn, region);
     const std::vector<RayStyle> styles =
         ray_styles(trace, chosen && trace.rays.size() > 1 ? std::optional(current) : std::nullopt);
@@ -83,10 +92,11 @@ Raster draw_picture(const Workbench& bench, const Trace& trace, const PictureOpt
     Canvas canvas;
     LabelPlacer placer(layout.view, strokes.segments());
     draw_marks(canvas, placer, trace, styles, surfaces, bench, region, view, layout.font);
-    draw_title(canvas, layout, title_of(trace, chosen, current), trace, remark_of(surfaces, trace, styles.size()));
+    draw_title(canvas, layout, title_of(trace, chosen, current), trace,
+               remark_of(surfaces, trace, styles.size()));
     canvas.add(FilledArea{layout.legend, paper});
-    draw_legend(&canvas, layout.font, layout.legend.y + layout.font * 0.25, layout.legend.width - 2 * layout.font,
-                trace, chosen, layout.font * 0.95);
+    draw_legend(&canvas, layout.font, layout.legend.y + layout.font * 0.25,
+                layout.legend.width - 2 * layout.font, trace, chosen, layout.font * 0.95);
     draw_timeline(canvas, layout.timeline, lanes, trace, current, layout.font);
     canvas.add(FilledArea{{layout.tree.x, 0, layout.tree.width, double(options.size.height)}, panel});
     draw_tree(canvas, layout.tree, trace, current, layout.font);

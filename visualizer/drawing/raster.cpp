@@ -17,6 +17,7 @@ namespace rayscope::drawing {
 namespace {
 
 constexpr int oversampling = 2, peels = 8;
+constexpr double nearest = 0.2, farthest = 150; // in radii of the region
 
 vtkSmartPointer<vtkActor> actor_of(vtkPolyData* data, bool lit) {
     vtkNew<vtkPolyDataMapper> mapper;
@@ -40,7 +41,8 @@ void aim(vtkCamera* camera, const View& view) {
 }
 
 Raster averaged(const PictureSize& size, vtkUnsignedCharArray* pixels) {
-    Raster raster{size.width, size.height, std::vector<std::uint8_t>(std::size_t(size.width) * std::size_t(size.height) * 3)};
+    Raster raster{size.width, size.height,
+                  std::vector<std::uint8_t>(std::size_t(size.width) * std::size_t(size.height) * 3)};
     const std::uint8_t* source = pixels->GetPointer(0);
     const std::size_t row = std::size_t(size.width) * oversampling * 3;
     std::size_t out = 0;
@@ -60,8 +62,8 @@ Raster averaged(const PictureSize& size, vtkUnsignedCharArray* pixels) {
 
 } // namespace
 
-Raster rasterize(const PictureSize& size, const View& view, const PaintedSurfaces& surfaces, const Mesh& strokes,
-                 const Canvas& canvas, double pixels) {
+Raster rasterize(const PictureSize& size, const View& view, const PaintedSurfaces& surfaces,
+                 const Mesh& strokes, const Canvas& canvas, double pixels) {
     const int width = size.width * oversampling, height = size.height * oversampling;
     const auto window = make_window(width, height);
     window->SetNumberOfLayers(2);
@@ -81,7 +83,8 @@ Raster rasterize(const PictureSize& size, const View& view, const PaintedSurface
     world->AddActor(outlines);
     world->AddActor(actor_of(strokes.polydata(), true));
     aim(world->GetActiveCamera(), view);
-    world->ResetCameraClippingRange();
+    // By hand: fitted to all that there is, a floor without end would push the near plane behind the region.
+    world->GetActiveCamera()->SetClippingRange(nearest, length(view.position()) + farthest);
     window->AddRenderer(world);
 
     vtkNew<vtkRenderer> overlay;

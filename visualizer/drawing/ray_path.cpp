@@ -14,13 +14,16 @@ const ObjectAccepted* blocker_of(const TracedRay& ray) {
     return last;
 }
 
-template <typename Table> bool within(const Table& table, Id id) { return id >= 0 && std::size_t(id) < table.size(); }
+template <typename Table> bool within(const Table& table, Id id) {
+    return id >= 0 && std::size_t(id) < table.size();
+}
 
 } // namespace
 
 bool is_blocked(const TracedRay& ray) {
     const auto* finished = ray.find<RayFinished>();
-    return ray.start().kind == RayKind::shadow && finished != nullptr && !(largest_component(finished->colour) > 0);
+    return ray.start().kind == RayKind::shadow && finished != nullptr &&
+           !(largest_component(finished->colour) > 0);
 }
 
 RayEnd drawn_end(const TracedRay& ray, double open_length) {

@@ -26,6 +26,23 @@ Weights weights_of(Emphasis emphasis) {
     }
 }
 
+// In radii of the region.
+constexpr double rays_within = 50; // what the graphics card's numbers can hold beside the region
+constexpr double lanes_within = 1.1;
+
+/// The part of a segment within a ball around the region's middle.
+std::optional<std::pair<Vec3d, Vec3d>> within_reach(const Vec3d& from, const Vec3d& to, double reach) {
+    const double size = length(to - from);
+    if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+    const Vec3d d = normalized(to - from);
+    const double middle = -dot(from, d), squared = reach * reach - dot(from + d * middle, from + d * middle);
+    if (!(squared > 0)) return std::nullopt;
+    const double low = std::max(0.0, middle - std::sqrt(squared)),
+                 high = std::min(size, middle + std::sqrt(squared));
+    if (!(low < high)) return std::nullopt;
+    return std::pair{low > 0 ? from + d * low : from, high < size ? from + d * high : to};
+}
+
 double cell_value(vtkPolyData* data, const char* array, vtkIdType cell) {
     return data->GetCellData()->GetArray(array)->GetTuple1(cell);
 }
@@ -63,40 +80,55 @@ void RayStrokes::dashes(const Vec3d& from, const Vec3d& to, double width, Rgb co
     const double dash = (6 + 1.5 * width) * pixel, period = dash + (3 + 1.5 * width) * pixel;
     if (!(size < 1000 * period)) return tube(from, to, width, colour);
     const Vec3d d = normalized(to - from);
-    for (double s = 0; s < size; s += period) tube(from + d * s, from + d * std::min(s + dash, size), width, colour);
+    for (double s = 0; s < size; s += period)
+        tube(from + d * s, from + d * std::min(s + dash, size), width, colour);
 }
 
 void RayStrokes::solid_arrow(const Vec3d& at, const Vec3d& direction, double size, Rgb colour) {
-    const double pixel = view_.pixel_size(at) * pixels_;
-    mesh_.add_cone(at - direction * (size * pixel / 2), at + direction * (size * pixel / 2), size * 0.36 * pixel,
-                   colour);
+    // Turned into the plane of the picture: a cone that points at the camera looks like a ball.
+    const Vec3d sight = normalized(view_.position() - at);
+    const Vec3d flat = direction - sight * dot(direction, sight);
+    if (length(flat) < 0.12) return;
+    const Vec3d half = normalized(flat) * (size * view_.pixel_size(at) * pixels_ / 2);
+    mesh_.add_cone(at - half, at + half, 0.72 * length(half), colour);
 }
 
 void RayStrokes::open_arrow(const Vec3d& tip, const Vec3d& direction, double width, Rgb colour) {
     const Vec3d across = normalized(cross(direction, view_.position() - tip));
     const double size = (7 + 1.5 * width) * view_.pixel_size(tip) * pixels_;
-    for (const double side : {-0.5, 0.5}) tube(tip, tip - direction * size + across * (size * side), width, colour);
+    for (const double side : {-0.5, 0.5})
+        tube(tip, tip - direction * size + across * (size * side), width, colour);
 }
 
-void RayStrokes::draw_ray(const TracedRay& ray, const Vec3d& from, const Vec3d& to, bool open, Emphasis emphasis) {
+void RayStrokes::draw_ray(const TracedRay& ray, const Vec3d& first, const Vec3d& last, bool open,
+                          Emphasis emphasis) {
+    const auto near = within_reach(first, last, rays_within);
+    if (!near) return;
+    const auto& [from, to] = *near;
     const Weights w = weights_of(emphasis);
-    const Rgb colour = mixed(ray_colour(ray), sky, w.fade);
+    const bool shadow = ray.start().kind == RayKind::shadow;
+    // Shadow rays are many and say little: they stand back.
+    const Rgb colour = mixed(ray_colour(ray), sky, shadow && emphasis == Emphasis::plain ? 0.2 : w.fade);
+    const double width = shadow ? w.line * 0.7 : w.line;
     // What lies far outside the picture would only cost precision.
     const auto drawn = view_.visible(from, to, -0.3 * view_.area().width);
     const auto seen = view_.visible(from, to, 7 * pixels_);
     if (!drawn || !seen) return;
     const auto at = [&](double share) { return from + (to - from) * share; };
     const Vec3d start = at(drawn->from), end = at(drawn->to), direction = normalized(to - from);
-    const bool shadow = ray.start().kind == RayKind::shadow;
     const bool leaves = seen->to < 1;
-    if (shadow) dashes(start, leaves ? at(seen->to) : end, w.line * 0.8, colour);
-    else tube(start, open && leaves ? at(seen->to) : end, w.line, colour);
+    if (shadow)
+        dashes(start, leaves ? at(seen->to) : end, width, colour);
+    else
+        tube(start, open && leaves ? at(seen->to) : end, width, colour);
     const auto a = view_.pixel(at(seen->from)), b = view_.pixel(at(seen->to));
     if (!a || !b) return;
     if (emphasis != Emphasis::ghost) segments_.push_back({*a, *b});
     const double visible_pixels = std::hypot(b->x - a->x, b->y - a->y) / pixels_;
-    if (open || (shadow && leaves)) open_arrow(at(seen->to), direction, w.line * 0.8, colour);
-    else if (is_blocked(ray)) return;
+    if (open || (shadow && leaves))
+        open_arrow(at(seen->to), direction, width * 0.8, colour);
+    else if (is_blocked(ray))
+        return;
     const double size = std::min(w.arrow, visible_pixels * 0.3);
     if (size > 4 && !(open && visible_pixels < 50))
         solid_arrow(at(seen->from + (seen->to - seen->from) * (open ? 0.5 : 0.57)), direction, size, colour);
@@ -116,7 +148,8 @@ void RayStrokes::draw_hit(const Vec3d& point, const Vec3d& normal, bool with_nor
     if (const auto end = view_.pixel(tip)) segments_.push_back({*pixel, *end});
 }
 
-void RayStrokes::draw(const Trace& trace, const std::vector<RayStyle>& styles, vtkPolyData* rays, vtkPolyData* hits) {
+void RayStrokes::draw(const Trace& trace, const std::vector<RayStyle>& styles, vtkPolyData* rays,
+                      vtkPolyData* hits) {
     std::map<int, vtkIdType> hit_of;
     vtkDataArray* ids = hits->GetPointData()->GetArray("ray_id");
     for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i) hit_of[int(ids->GetTuple1(i))] = i;
@@ -124,8 +157,10 @@ void RayStrokes::draw(const Trace& trace, const std::vector<RayStyle>& styles, v
     std::size_t normals = 0;
     for (const RayStyle& style : styles) {
         const vtkIdType cell = style.ray; // one line for each ray, in their order
-        const Vec3d from = view_.to_view(point_of(rays, 2 * cell)), to = view_.to_view(point_of(rays, 2 * cell + 1));
-        draw_ray(trace.rays[std::size_t(style.ray)], from, to, cell_value(rays, "open", cell) > 0, style.emphasis);
+        const Vec3d from = view_.to_view(point_of(rays, 2 * cell)),
+                    to = view_.to_view(point_of(rays, 2 * cell + 1));
+        draw_ray(trace.rays[std::size_t(style.ray)], from, to, cell_value(rays, "open", cell) > 0,
+                 style.emphasis);
         const auto hit = hit_of.find(style.ray);
         if (hit == hit_of.end()) continue;
         std::array<double, 3> n{};
@@ -138,7 +173,9 @@ void RayStrokes::draw(const Trace& trace, const std::vector<RayStyle>& styles, v
 }
 
 void RayStrokes::draw_lanes(const Trace& trace, int ray, const Lanes& lanes, vtkPolyData* spans) {
-    const RaySpawned& start = trace.rays[std::size_t(ray)].start();
+    const TracedRay& traced = trace.rays[std::size_t(ray)];
+    const RaySpawned& start = traced.start();
+    const auto* hit = traced.find<BoundaryChosen>();
     const Vec3d direction = normalized(start.direction);
     Vec3d aside = normalized(cross(direction, view_.back()));
     if (dot(aside, view_.up()) < 0) aside = -aside;
@@ -147,9 +184,15 @@ void RayStrokes::draw_lanes(const Trace& trace, int ray, const Lanes& lanes, vtk
         row.try_emplace({lanes.shown[i].object, lanes.shown[i].node}, i);
     for (vtkIdType i = 0; i < spans->GetNumberOfCells(); ++i) {
         if (int(cell_value(spans, "ray_id", i)) != ray) continue;
-        const auto lane = row.find({int(cell_value(spans, "object_id", i)), int(cell_value(spans, "node_id", i))});
+        const auto lane =
+            row.find({int(cell_value(spans, "object_id", i)), int(cell_value(spans, "node_id", i))});
         if (lane == row.end()) continue;
-        const Vec3d from = view_.to_view(point_of(spans, 2 * i)), to = view_.to_view(point_of(spans, 2 * i + 1));
+        // Beside the ray there is room for the object that it hits; the timeline has the others.
+        if (hit != nullptr && lane->first.first != hit->object) continue;
+        const auto near = within_reach(view_.to_view(point_of(spans, 2 * i)),
+                                       view_.to_view(point_of(spans, 2 * i + 1)), lanes_within);
+        if (!near) continue;
+        const auto& [from, to] = *near;
         const auto part = view_.visible(from, to, -4 * pixels_);
         if (!part) continue;
         const double pixel = view_.pixel_size(from) * pixels_;

@@ -30,7 +30,7 @@ inline constexpr std::size_t most_rays = 2500;
 [[nodiscard]] std::vector<RayStyle> ray_styles(const Trace& trace, std::optional<int> chosen);
 
 class RayStrokes {
-  public:
+public:
     /// @param pixels width of a hair line: 1 in a picture of the usual size
     RayStrokes(const View& view, const Region& region, double pixels)
         : view_(view), region_(region), pixels_(pixels) {}
@@ -43,8 +43,8 @@ class RayStrokes {
     [[nodiscard]] const Mesh& mesh() const { return mesh_; }
     [[nodiscard]] const std::vector<FlatSegment>& segments() const { return segments_; }
 
-  private:
-    void draw_ray(const TracedRay& ray, const Vec3d& from, const Vec3d& to, bool open, Emphasis emphasis);
+private:
+    void draw_ray(const TracedRay& ray, const Vec3d& first, const Vec3d& last, bool open, Emphasis emphasis);
     void tube(const Vec3d& from, const Vec3d& to, double width, Rgb colour);
     void dashes(const Vec3d& from, const Vec3d& to, double width, Rgb colour);
     void solid_arrow(const Vec3d& at, const Vec3d& direction, double size, Rgb colour);

@@ -8,7 +8,9 @@ namespace {
 
 double half_diagonal(const Box<double>& box) { return length(box.high - box.low) / 2; }
 Vec3d centre_of(const Box<double>& box) { return box.low + (box.high - box.low) / 2.0; }
-bool is_point_usable(const Vec3d& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+bool is_point_usable(const Vec3d& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
 
 struct HitOfRay {
     const BoundaryChosen* hit;
@@ -24,9 +26,7 @@ std::vector<HitOfRay> hits_by_weight(const Trace& trace) {
     return hits;
 }
 
-Box<double> around(const Vec3d& point, double size) {
-    return {point - Vec3d{size}, point + Vec3d{size}};
-}
+Box<double> around(const Vec3d& point, double size) { return {point - Vec3d{size}, point + Vec3d{size}}; }
 
 /// What there is to see around a ray that hits nothing.
 Region without_hits(const Trace& trace, const Workbench& bench) {
@@ -55,11 +55,14 @@ Region region_of(const Trace& trace, const Workbench& bench, const std::vector<I
     Region region;
     Box<double> box;
     const auto fits = [&](const Vec3d& p) {
-        return box.low.x > box.high.x || length(p - centre_of(box)) < 3.5 * std::max(half_diagonal(box), travelled / 20);
+        return box.low.x > box.high.x ||
+               length(p - centre_of(box)) < 3.5 * std::max(half_diagonal(box), travelled / 20);
     };
     std::vector<Id> seen;
     for (const auto& [hit, share] : hits) {
-        const Id id = hit->object < 0 || std::size_t(hit->object) >= drawn.size() ? none : drawn[std::size_t(hit->object)];
+        const Id id = hit->object < 0 || std::size_t(hit->object) >= drawn.size()
+                          ? none
+                          : drawn[std::size_t(hit->object)];
         if (id == none || std::ranges::find(seen, id) != seen.end()) continue;
         seen.push_back(id);
         const Box<double>& bounds = bench.world.objects[std::size_t(id)].bounds;
@@ -70,9 +73,11 @@ Region region_of(const Trace& trace, const Workbench& bench, const std::vector<I
     if (box.low.x > box.high.x) box = around(hits.front().hit->point, travelled > 0 ? travelled / 6 : 1);
     const Box<double> solid = box;
     for (const auto& [hit, share] : hits)
-        if (length(hit->point - centre_of(solid)) < 2.6 * half_diagonal(solid)) box.include(hit->point);
+        if (length(hit->point - centre_of(solid)) < 1.8 * half_diagonal(solid)) box.include(hit->point);
     region.centre = centre_of(box);
     region.radius = half_diagonal(box);
+    // A grain on a large thing is shown with what it lies on.
+    region.radius = std::max(region.radius, travelled / 15);
     if (!(region.radius > 0) || !std::isfinite(region.radius)) region.radius = 1;
     return region;
 }

@@ -16,7 +16,8 @@ std::vector<Id> drawn_objects(const Trace& trace, const Scene& scene) {
     std::unordered_map<std::string, Id> by_name;
     for (const TraceObject& object : trace.objects) by_name.emplace(object.name, none);
     for (std::size_t i = 0; i < scene.drawn.size(); ++i)
-        if (const auto found = by_name.find(object_title(scene, i)); found != by_name.end() && found->second == none)
+        if (const auto found = by_name.find(object_title(scene, i));
+            found != by_name.end() && found->second == none)
             found->second = Id(i);
     std::vector<Id> ids;
     for (const TraceObject& object : trace.objects) ids.push_back(by_name.at(object.name));

@@ -28,9 +28,11 @@ Look look_of(const SceneMaterial& material, bool hit) {
     const bool glass = largest_component(material.transmission) > 0;
     const bool mirror = largest_component(material.reflection) > 0.3;
     const Rgb own = on_screen(material.diffuse + material.ambient * 0.5);
-    Look look{mixed(own, Rgb{0xB0, 0xB4, 0xBA}, 0.35), {}, 0.5};
-    if (glass) look = {mixed(Rgb{0x7F, 0xB2, 0xDD}, own, 0.25), {}, 0.2};
-    else if (mirror) look = {mixed(Rgb{0x9C, 0xA8, 0xB8}, own, 0.4), {}, 0.42};
+    Look look{mixed(own, Rgb{0xB0, 0xB4, 0xBA}, 0.35), {}, 0.36};
+    if (glass)
+        look = {mixed(Rgb{0x7F, 0xB2, 0xDD}, own, 0.25), {}, 0.2};
+    else if (mirror)
+        look = {mixed(Rgb{0x9C, 0xA8, 0xB8}, own, 0.4), {}, 0.34};
     look.outline = mixed(mixed(look.colour, Rgb{0x30, 0x38, 0x44}, 0.72), sky, hit ? 0.0 : 0.55);
     if (!hit) look.opacity *= 0.35;
     return look;
@@ -38,7 +40,7 @@ Look look_of(const SceneMaterial& material, bool hit) {
 
 /// Collects pieces into one data set, so that hundreds of objects are drawn at once.
 class Collection {
-  public:
+public:
     explicit Collection(int components) : components_(components) {
         colours_->SetNumberOfComponents(components);
         normals_->SetNumberOfComponents(3);
@@ -63,15 +65,19 @@ class Collection {
     [[nodiscard]] vtkSmartPointer<vtkPolyData> result(Kind kind, bool colours_of_points) const {
         auto data = vtkSmartPointer<vtkPolyData>::New();
         data->SetPoints(points_);
-        if (kind == Kind::faces) data->SetPolys(cells_);
-        else data->SetLines(cells_);
+        if (kind == Kind::faces)
+            data->SetPolys(cells_);
+        else
+            data->SetLines(cells_);
         if (normals_->GetNumberOfTuples() > 0) data->GetPointData()->SetNormals(normals_);
-        if (colours_of_points) data->GetPointData()->SetScalars(colours_);
-        else data->GetCellData()->SetScalars(colours_);
+        if (colours_of_points)
+            data->GetPointData()->SetScalars(colours_);
+        else
+            data->GetCellData()->SetScalars(colours_);
         return data;
     }
 
-  private:
+private:
     int components_;
     vtkNew<vtkPoints> points_;
     vtkNew<vtkFloatArray> normals_;
@@ -104,7 +110,7 @@ vtkSmartPointer<vtkPolyData> moved(vtkPolyData* piece, const View& view) {
 }
 
 class Painting {
-  public:
+public:
     explicit Painting(const View& view) : view_(view) {}
 
     void add_faces(vtkPolyData* piece, const Look& look, bool room) {
@@ -117,7 +123,8 @@ class Painting {
             // Glass is darker where one looks along its surface, as its rim is.
             const double facing = std::abs(dot(Vec3d{n[0], n[1], n[2]}, normalized(view_.position() - p)));
             faces_.add_point(p, n.data());
-            faces_.add_colour(look.colour, std::min(look.opacity * (1 + 0.9 * (1 - facing) * (1 - facing)), 0.95));
+            faces_.add_colour(look.colour,
+                              std::min(look.opacity * (1 + 0.9 * (1 - facing) * (1 - facing)), 0.95));
         }
         each_cell(piece->GetPolys(), [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
             if (!room || !stands_before(piece, ids[0])) faces_.add_cell(count, ids, offset);
@@ -126,9 +133,10 @@ class Painting {
 
     void add_floor(vtkPolyData* piece, const Look& look) {
         const vtkIdType offset = floors_.size();
-        const bool before = piece->GetNumberOfPoints() > 0 && stands_before(piece, 0);
+        const bool before = piece->GetNumberOfPoints() > 0 && seen_from_behind(piece);
         vtkDataArray* checker = piece->GetCellData()->GetArray("checker");
-        for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i) floors_.add_point(point_of(piece, i), nullptr);
+        for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+            floors_.add_point(point_of(piece, i), nullptr);
         each_cell(piece->GetPolys(), [&](vtkIdType cell, vtkIdType count, const vtkIdType* ids) {
             Vec3d middle{0};
             for (vtkIdType i = 0; i < count; ++i) middle += point_of(piece, ids[i]) / double(count);
@@ -160,7 +168,7 @@ class Painting {
                 outlines_.result(Collection::Kind::lines, false)};
     }
 
-  private:
+private:
     /// The near walls of a room would hide what is in it: those whose outer side the camera sees.
     [[nodiscard]] bool stands_before(vtkPolyData* piece, vtkIdType id) const {
         std::array<double, 3> n{};
@@ -168,6 +176,13 @@ class Painting {
         const Vec3d normal{n[0], n[1], n[2]}, p = point_of(piece, id);
         const Vec3d outward = dot(normal, p) < 0 ? -normal : normal;
         return dot(outward, view_.position() - p) > 0;
+    }
+
+    /// The camera stands in the half space itself.
+    [[nodiscard]] bool seen_from_behind(vtkPolyData* plane) const {
+        std::array<double, 3> n{};
+        plane->GetPointData()->GetNormals()->GetTuple(0, n.data());
+        return dot(Vec3d{n[0], n[1], n[2]}, view_.position() - point_of(plane, 0)) < 0;
     }
 
     /// Where the surface turns away: smooth, since it runs across cells by their normals.
@@ -193,7 +208,8 @@ class Painting {
 
     void add_lines(vtkPolyData* lines, Rgb colour) {
         const vtkIdType offset = outlines_.size();
-        for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i) outlines_.add_point(point_of(lines, i), nullptr);
+        for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+            outlines_.add_point(point_of(lines, i), nullptr);
         each_cell(lines->GetLines(), [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
             outlines_.add_cell(count, ids, offset);
             outlines_.add_colour(colour, 1);
@@ -209,7 +225,8 @@ class Painting {
 PaintedSurfaces paint_surfaces(const Surfaces& surfaces, const Scene& scene, const View& view) {
     Painting painting(view);
     for (const Surface& surface : surfaces.shown) {
-        const Look look = look_of(material_of(scene, surface.drawn), surface.hit);
+        Look look = look_of(material_of(scene, surface.drawn), surface.hit);
+        if (surface.large) look.opacity *= 0.4;
         for (const auto& piece : surface.pieces) {
             const auto in_view = moved(piece, view);
             if (surface.flat) {

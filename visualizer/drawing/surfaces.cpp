@@ -1,5 +1,6 @@
 #include "visualizer/drawing/surfaces.hpp"
 
+#include "visualizer/drawing/ray_path.hpp"
 #include "visualizer/drawing/scene_objects.hpp"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ std::set<Id> touched_objects(const Trace& trace, const std::vector<Id>& drawn) {
     };
     for (const TracedRay& ray : trace.rays) {
         if (const auto* hit = ray.find<BoundaryChosen>()) touch(hit->object);
+        if (!is_blocked(ray)) continue;
         for (const Event& event : ray.events)
             if (const auto* accepted = std::get_if<ObjectAccepted>(&event)) touch(accepted->object);
     }
@@ -88,7 +90,8 @@ Surfaces surfaces_near(const Workbench& bench, const Trace& trace, const std::ve
         const bool hit = touched.contains(Id(i));
         const double away = is_plane(scene, i) ? plane_distance(scene, i, region)
                                                : distance(bench.world.objects[i].bounds, region.centre);
-        if (hit || away < (is_plane(scene, i) ? 3.0 : 1.6) * region.radius) candidates.push_back({i, hit, away});
+        if (hit || away < (is_plane(scene, i) ? 3.0 : 1.6) * region.radius)
+            candidates.push_back({i, hit, away});
     }
     std::ranges::stable_sort(candidates, [](const Candidate& a, const Candidate& b) {
         return a.hit != b.hit ? a.hit : a.distance < b.distance;
@@ -101,9 +104,15 @@ Surfaces surfaces_near(const Workbench& bench, const Trace& trace, const std::ve
     const auto hits = std::ranges::count_if(candidates, &Candidate::hit);
     for (const Candidate& candidate : candidates) {
         const int around = candidate.hit ? (hits <= 16 ? 96 : 40) : (candidates.size() <= 40 ? 48 : 24);
-        Surface surface{candidate.drawn, object_title(scene, candidate.drawn), candidate.hit, false,
-                        is_plane(scene, candidate.drawn), {}};
+        Surface surface{candidate.drawn,
+                        object_title(scene, candidate.drawn),
+                        candidate.hit,
+                        false,
+                        is_plane(scene, candidate.drawn),
+                        false,
+                        {}};
         const Box<double>& bounds = bench.world.objects[candidate.drawn].bounds;
+        surface.large = !surface.flat && length(bounds.high - bounds.low) > 8 * region.radius;
         surface.room = bounds.bounded() && encloses(bounds, region.centre) && !trace.rays.empty() &&
                        encloses(bounds, trace.rays.front().start().origin);
         surface.pieces = object_surface(scene, candidate.drawn, {around, false}, region);

@@ -8,9 +8,10 @@ namespace rayscope::drawing {
 struct Surface {
     std::size_t drawn = 0; ///< index into scene.drawn
     std::string name;
-    bool hit = false;      ///< by a ray of the trace
-    bool room = false;     ///< it has the region inside: what stands before the camera must go
-    bool flat = false;     ///< a half space
+    bool hit = false;   ///< by a ray of the trace
+    bool room = false;  ///< it has the region inside: what stands before the camera must go
+    bool flat = false;  ///< a half space
+    bool large = false; ///< much larger than the region: ground, rather than a thing in the picture
     Pieces pieces;
 };
 

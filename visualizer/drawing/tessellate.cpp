@@ -22,9 +22,12 @@ struct Sample {
 };
 
 class Tessellator {
-  public:
+public:
     Tessellator(const Mat4d& matrix, const Fineness& fineness, const Region& region)
-        : matrix_(matrix), transform_(matrix), fineness_(fineness), region_(region),
+        : matrix_(matrix),
+          transform_(matrix),
+          fineness_(fineness),
+          region_(region),
           mirrored_(glm::determinant(Mat3<double>(matrix)) < 0) {}
 
     Pieces pieces;
@@ -98,24 +101,26 @@ class Tessellator {
         pieces.emplace_back(triangles->GetOutput());
     }
 
-  private:
+private:
     static double turn(double share) { return 2 * std::numbers::pi * share; }
     [[nodiscard]] int flat_cells() const { return fineness_.clipped ? fineness_.around / 2 : 1; }
 
     /// From radius `low` at z = −1 to `high` at z = 1.
     void wall(double low, double high) {
         const double slope = (low - high) / 2;
-        grid(fineness_.around, fineness_.clipped ? fineness_.around / 2 : 1, true, false, [&](double u, double v) {
-            const double radius = low + (high - low) * v;
-            const Vec3d out{std::cos(turn(u)), std::sin(turn(u)), 0};
-            return Sample{out * radius + Vec3d{0, 0, 2 * v - 1}, out + Vec3d{0, 0, slope}};
-        });
+        grid(fineness_.around, fineness_.clipped ? fineness_.around / 2 : 1, true, false,
+             [&](double u, double v) {
+                 const double radius = low + (high - low) * v;
+                 const Vec3d out{std::cos(turn(u)), std::sin(turn(u)), 0};
+                 return Sample{out * radius + Vec3d{0, 0, 2 * v - 1}, out + Vec3d{0, 0, slope}};
+             });
     }
     void disk(double z, double radius) {
-        grid(fineness_.around, fineness_.clipped ? fineness_.around / 4 : 1, true, false, [&](double u, double v) {
-            const double r = z < 0 ? radius * v : radius * (1 - v);
-            return Sample{{r * std::cos(turn(u)), r * std::sin(turn(u)), z}, {0, 0, z}};
-        });
+        grid(fineness_.around, fineness_.clipped ? fineness_.around / 4 : 1, true, false,
+             [&](double u, double v) {
+                 const double r = z < 0 ? radius * v : radius * (1 - v);
+                 return Sample{{r * std::cos(turn(u)), r * std::sin(turn(u)), z}, {0, 0, z}};
+             });
     }
 
     /// Cells seen counter-clockwise from outside where (u, v, outward) is right-handed.
@@ -180,7 +185,8 @@ double round_size(double size) {
     return 10 * power;
 }
 
-Pieces tessellate(const Generic<double>& shape, const Mat4d& matrix, const Fineness& fineness, const Region& region) {
+Pieces tessellate(const Generic<double>& shape, const Mat4d& matrix, const Fineness& fineness,
+                  const Region& region) {
     Tessellator tessellator(matrix, fineness, region);
     std::visit(tessellator, shape);
     return std::move(tessellator.pieces);

@@ -13,7 +13,7 @@
 namespace rayscope::drawing {
 namespace {
 
-constexpr int dots_per_inch = 72; // then a point is a pixel
+constexpr int dots_per_inch = 72;  // then a point is a pixel
 constexpr double measured_at = 32; // font sizes are whole numbers: measure large, scale down
 
 std::string font_file(Font font) {
@@ -31,8 +31,10 @@ bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U
 std::vector<std::string> characters(const std::string& text) {
     std::vector<std::string> result;
     for (const char c : text)
-        if (continues_character(c) && !result.empty()) result.back() += c;
-        else result.emplace_back(1, static_cast<unsigned char>(c) < ' ' ? ' ' : c);
+        if (continues_character(c) && !result.empty())
+            result.back() += c;
+        else
+            result.emplace_back(1, static_cast<unsigned char>(c) < ' ' ? ' ' : c);
     return result;
 }
 
@@ -57,8 +59,8 @@ double text_width(const std::string& text, Font font, double size) {
     if (fresh) {
         std::array<int, 4> box{};
         const auto property = text_property(font, measured_at, ink);
-        vtkTextRenderer::GetInstance()->GetBoundingBox(property, text, box.data(),
-                                                       dots_per_inch, vtkTextRenderer::FreeType);
+        vtkTextRenderer::GetInstance()->GetBoundingBox(property, text, box.data(), dots_per_inch,
+                                                       vtkTextRenderer::FreeType);
         at->second = (box[1] - box[0] + 1) / measured_at;
     }
     return at->second * size;

@@ -33,22 +33,29 @@ void draw_ticks(Canvas& canvas, const Axis& axis, double top, double bottom, dou
     for (double k = std::ceil(low / step); k * step <= high; ++k) {
         const double x = axis.at(k * step);
         canvas.add(Stroke{{{x, top}, {x, bottom + 4}}, hair, 1});
-        canvas.add(Text{{x, bottom + 4 + font * 0.65}, number(k * step, digits), font * 0.92, quiet_ink, Font::sans,
-                        Align::centre});
+        const Text label{{x, bottom + 4 + font * 0.65},
+                         number(k * step, digits),
+                         font * 0.92,
+                         quiet_ink,
+                         Font::sans,
+                         Align::centre};
+        if (text_area(label).right() < axis.left + axis.width + font * 0.3)
+            canvas.add(label); // there stands "t"
     }
 }
 
 void draw_bars(Canvas& canvas, const Axis& axis, const Lane& lane, double y, double height) {
     for (const SpanFound& span : lane.spans) {
-        const double from = std::max(span.enter.t, axis.window.low), to = std::min(span.exit.t, axis.window.high);
-        if (!(to > from)) continue;
+        const double from = std::max(span.enter.t, axis.window.low),
+                     to = std::min(span.exit.t, axis.window.high);
+        if (!(to >= from)) continue; // a surface without volume is a tick
         const auto bar = [&](double a, double b, Rgb colour) {
             const double x = axis.at(a);
             canvas.add(FilledArea{{x, y - height / 2, std::max(axis.at(b) - x, 1.5), height}, colour});
         };
         // What lies behind the start is on the ray's line, not on the ray.
         if (from < 0) bar(from, std::min(to, 0.0), mixed(lane.colour, paper, 0.7));
-        if (to > 0) bar(std::max(from, 0.0), to, lane.colour);
+        if (to >= 0) bar(std::max(from, 0.0), to, lane.colour);
         const auto goes_on = [&](double x, double tip) {
             canvas.add(FilledPolygon{{{x, y - height / 2}, {x + tip, y}, {x, y + height / 2}}, lane.colour});
         };
@@ -72,9 +79,9 @@ Window timeline_window(const Lanes& lanes, const TracedRay& ray) {
     const double near = stop && *stop > 0 ? *stop : times.front();
     double high = near;
     for (const double t : times)
-        if (t <= 3.5 * near) high = std::max(high, t);
+        if (t <= far_behind * near) high = std::max(high, t);
     double low = 0;
-    if (times.front() > 0.45 * high && high > times.front() * 1.001)
+    if (times.front() > 0.6 * high && high > times.front() * 1.001)
         low = std::max(0.0, times.front() - 0.35 * (high - times.front()));
     const double span = high - low;
     // A little of what lies behind the start, where the ray may already be inside.
@@ -85,7 +92,8 @@ double timeline_height(std::size_t lanes, double font) {
     return font * (1.75 * double(std::max<std::size_t>(lanes, 1)) + 4.6);
 }
 
-void draw_timeline(Canvas& canvas, const Area& area, const Lanes& lanes, const Trace& trace, int ray, double font) {
+void draw_timeline(Canvas& canvas, const Area& area, const Lanes& lanes, const Trace& trace, int ray,
+                   double font) {
     canvas.add(FilledArea{area, paper});
     canvas.add(Stroke{{{area.x, area.y}, {area.right(), area.y}}, hair, 1});
     const TracedRay& traced = trace.rays[std::size_t(ray)];
@@ -95,13 +103,16 @@ void draw_timeline(Canvas& canvas, const Area& area, const Lanes& lanes, const T
     if (lanes.hidden > 0) title += "  (" + std::to_string(lanes.hidden) + " more lanes not shown)";
     canvas.add(Text{{area.x + pad, title_y}, title, font, ink, Font::bold});
     if (lanes.shown.empty()) {
-        canvas.add(Text{{area.x + pad, area.y + font * 2.8}, "The ray's line meets no object.", font, quiet_ink});
+        canvas.add(
+            Text{{area.x + pad, area.y + font * 2.8}, "The ray's line meets no object.", font, quiet_ink});
         return;
     }
     const double label_room = std::min(area.width * 0.3, font * 19);
     double widest = 0;
+    const auto face = [](const Lane& lane) { return lane.root ? Font::bold : Font::sans; };
     for (const Lane& lane : lanes.shown)
-        widest = std::max(widest, text_width(elided(lane.label, Font::sans, font, label_room), Font::sans, font));
+        widest =
+            std::max(widest, text_width(elided(lane.label, face(lane), font, label_room), face(lane), font));
     const double left = area.x + pad + widest + font;
     const Axis axis{timeline_window(lanes, traced), left, area.right() - left - 2 * font};
     const double top = area.y + font * 2.5, bottom = top + row * double(lanes.shown.size());
@@ -111,8 +122,11 @@ void draw_timeline(Canvas& canvas, const Area& area, const Lanes& lanes, const T
         const double y = top + row * (double(i) + 0.5);
         canvas.add(Stroke{{{axis.left, y}, {axis.left + axis.width, y}}, hair, 1});
         draw_bars(canvas, axis, lane, y, row * 0.62);
-        canvas.add(Text{{left - font * 0.7, y}, elided(lane.label, Font::sans, font, label_room), font,
-                        lane.root ? ink : mixed(lane.colour, ink, 0.6), lane.root ? Font::bold : Font::sans,
+        canvas.add(Text{{left - font * 0.7, y},
+                        elided(lane.label, face(lane), font, label_room),
+                        font,
+                        lane.root ? ink : mixed(lane.colour, ink, 0.6),
+                        face(lane),
                         Align::right});
     }
     canvas.add(Stroke{{{axis.left, bottom}, {axis.left + axis.width, bottom}}, quiet_ink, 1});
@@ -120,22 +134,31 @@ void draw_timeline(Canvas& canvas, const Area& area, const Lanes& lanes, const T
         const double x = axis.at(0);
         canvas.add(Stroke{{{x, top - 3}, {x, bottom + 3}}, quiet_ink, 1.2});
     }
-    canvas.add(Text{{axis.left + axis.width + font * 0.9, bottom + 4 + font * 0.65}, "t", font, ink, Font::bold,
+    canvas.add(Text{{axis.left + axis.width + font * 0.9, bottom + 4 + font * 0.65},
+                    "t",
+                    font,
+                    ink,
+                    Font::bold,
                     Align::centre});
     if (const auto stop = stop_of(traced); stop && *stop >= axis.window.low && *stop <= axis.window.high) {
         const double x = axis.at(*stop);
         const Rgb colour = ray_colour(traced);
         canvas.add(Stroke{{{x, top - font * 0.5}, {x, bottom + 3}}, colour, 2.4});
         const bool shadow = traced.start().kind == RayKind::shadow;
-        const char* what = traced.find<BoundaryChosen>() != nullptr ? "hit" : (is_blocked(traced) ? "blocked" : "light");
-        Text mark{{x, title_y}, std::string(what) + " t = " + number(*stop, 6), font, ray_text_colour(traced),
-                  Font::bold, Align::centre};
+        const char* what =
+            traced.find<BoundaryChosen>() != nullptr ? "hit" : (is_blocked(traced) ? "blocked" : "light");
+        Text mark{{x, title_y}, std::string(what) + " t = " + number(*stop, 6),
+                  font,         ray_text_colour(traced),
+                  Font::bold,   Align::centre};
         const double half = text_width(mark.text, mark.font, mark.size) / 2;
         const double free_from = area.x + pad + text_width(title, Font::bold, font) + font;
-        mark.at.x = std::clamp(x, std::min(free_from + half, area.right() - half - pad), area.right() - half - pad);
+        mark.at.x =
+            std::clamp(x, std::min(free_from + half, area.right() - half - pad), area.right() - half - pad);
         if (shadow || std::abs(mark.at.x - x) > half)
             canvas.add(Stroke{{{std::clamp(x, mark.at.x - half, mark.at.x + half), title_y + font * 0.7},
-                               {x, top - font * 0.5}}, colour, 1});
+                               {x, top - font * 0.5}},
+                              colour,
+                              1});
         canvas.add(mark);
     }
 }

@@ -17,6 +17,7 @@ struct Window {
 /// How high the strip is for so many lanes.
 [[nodiscard]] double timeline_height(std::size_t lanes, double font);
 
-void draw_timeline(Canvas& canvas, const Area& area, const Lanes& lanes, const Trace& trace, int ray, double font);
+void draw_timeline(Canvas& canvas, const Area& area, const Lanes& lanes, const Trace& trace, int ray,
+                   double font);
 
 } // namespace rayscope::drawing

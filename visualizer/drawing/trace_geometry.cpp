@@ -47,8 +47,8 @@ struct Lines {
 
 vtkSmartPointer<vtkPolyData> rays_polydata(const Trace& trace, double open_length) {
     Lines lines;
-    Column<vtkIntArray> id("ray_id"), parent("parent_id"), step("step"), depth("depth"), kind("kind"), open("open"),
-        blocked("blocked");
+    Column<vtkIntArray> id("ray_id"), parent("parent_id"), step("step"), depth("depth"), kind("kind"),
+        open("open"), blocked("blocked");
     Column<vtkStringArray> kinds("kind_name"), objects("object_name");
     Column<vtkDoubleArray> t_hit("t_hit"), share("weight"), direction("direction", 3);
     for (std::size_t i = 0; i < trace.rays.size(); ++i) {
@@ -73,8 +73,8 @@ vtkSmartPointer<vtkPolyData> rays_polydata(const Trace& trace, double open_lengt
     lines.data->SetPoints(lines.points);
     lines.data->SetLines(lines.cells);
     for (vtkAbstractArray* column : std::initializer_list<vtkAbstractArray*>{
-             id.array, parent.array, step.array, depth.array, kind.array, kinds.array, objects.array, t_hit.array,
-             share.array, direction.array, open.array, blocked.array})
+             id.array, parent.array, step.array, depth.array, kind.array, kinds.array, objects.array,
+             t_hit.array, share.array, direction.array, open.array, blocked.array})
         lines.data->GetCellData()->AddArray(column);
     return lines.data;
 }
@@ -97,8 +97,8 @@ vtkSmartPointer<vtkPolyData> hits_polydata(const Trace& trace) {
     }
     lines.data->SetPoints(lines.points);
     lines.data->SetVerts(lines.cells);
-    for (vtkAbstractArray* column :
-         std::initializer_list<vtkAbstractArray*>{id.array, step.array, objects.array, t_hit.array, bound.array})
+    for (vtkAbstractArray* column : std::initializer_list<vtkAbstractArray*>{
+             id.array, step.array, objects.array, t_hit.array, bound.array})
         lines.data->GetPointData()->AddArray(column);
     lines.data->GetPointData()->SetNormals(normals.array);
     return lines.data;

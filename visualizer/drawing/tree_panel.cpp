@@ -57,7 +57,7 @@ Shown shown_rows(const std::vector<Row>& rows, int current, std::size_t fit) {
 }
 
 class TreeDrawing {
-  public:
+public:
     TreeDrawing(Canvas& canvas, const Area& area, const std::vector<Row>& rows, Shown shown, double font)
         : canvas_(canvas), area_(area), rows_(rows), shown_(shown), font_(font) {
         int deepest = 1;
@@ -75,7 +75,8 @@ class TreeDrawing {
         const double top = area_.y, bottom = y(shown_.last) - font_ * line / 2;
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             const Row& row = rows_[i];
-            if (row.parent_row < 0 || i < shown_.first || std::size_t(row.parent_row) >= shown_.last) continue;
+            if (row.parent_row < 0 || i < shown_.first || std::size_t(row.parent_row) >= shown_.last)
+                continue;
             const double gx = x(rows_[std::size_t(row.parent_row)]) + indent_ * 0.3;
             const bool parent_shown = std::size_t(row.parent_row) >= shown_.first;
             const double from = parent_shown ? y(std::size_t(row.parent_row)) + font_ * 0.65 : top;
@@ -92,17 +93,21 @@ class TreeDrawing {
         const bool here = row.ray == current;
         const bool on_path = std::ranges::binary_search(path, row.ray);
         if (here)
-            canvas_.add(FilledArea{{area_.x + 2, y(i) - font_ * line / 2, area_.width - 4, font_ * line}, highlight});
+            canvas_.add(
+                FilledArea{{area_.x + 2, y(i) - font_ * line / 2, area_.width - 4, font_ * line}, highlight});
         const std::string share = number(weight(ray), 2);
         const double share_x = area_.right() - font_ * 0.8;
         canvas_.add(Text{{share_x, y(i)}, share, font_ * 0.9, quiet_ink, Font::sans, Align::right});
         const double room = share_x - text_width(share, Font::sans, font_ * 0.9) - font_ * 0.6 - x(row);
         const Font font = on_path ? Font::bold : Font::sans;
-        canvas_.add(Text{{x(row), y(i)}, elided(row_text(trace, row.ray), font, font_, room), font_,
-                         ray_text_colour(ray), font});
+        canvas_.add(Text{{x(row), y(i)},
+                         elided(row_text(trace, row.ray), font, font_, room),
+                         font_,
+                         ray_text_colour(ray),
+                         font});
     }
 
-  private:
+private:
     static constexpr Rgb guide{0xB4, 0xBA, 0xC2};
     Canvas& canvas_;
     const Area& area_;
@@ -113,14 +118,18 @@ class TreeDrawing {
 
 } // namespace
 
-double tree_height(const Trace& trace, double font) { return font * (line * double(trace.rays.size()) + 2.6); }
+double tree_height(const Trace& trace, double font) {
+    return font * (line * double(trace.rays.size()) + 2.6);
+}
 
 void draw_tree(Canvas& canvas, const Area& area, const Trace& trace, int current, double font) {
     const std::vector<Row> rows = rows_of(trace);
     const std::string count = std::to_string(rows.size()) + (rows.size() == 1 ? " ray" : " rays");
     const double title_y = area.y + font * 1.2;
-    canvas.add(Text{{area.x + font * 0.9, title_y}, "Recursion tree: " + count, font * 1.08, ink, Font::bold});
-    canvas.add(Text{{area.right() - font * 0.8, title_y}, "weight", font * 0.9, quiet_ink, Font::sans, Align::right});
+    canvas.add(
+        Text{{area.x + font * 0.9, title_y}, "Recursion tree: " + count, font * 1.08, ink, Font::bold});
+    canvas.add(Text{
+        {area.right() - font * 0.8, title_y}, "weight", font * 0.9, quiet_ink, Font::sans, Align::right});
 
     Area body{area.x, area.y + font * 2.4, area.width, area.height - font * 2.6};
     std::size_t fit = std::size_t(std::max(body.height / (font * line), 1.0));
@@ -137,7 +146,8 @@ void draw_tree(Canvas& canvas, const Area& area, const Trace& trace, int current
     const auto hidden = [&](std::size_t rays, double row, const char* where) {
         if (rays == 0) return;
         const std::string text = fmt::format("… {} {} {}", rays, rays == 1 ? "ray" : "rays", where);
-        canvas.add(Text{{area.x + font * 0.9, body.y + font * line * (row + 0.5)}, text, font * 0.92, quiet_ink});
+        canvas.add(
+            Text{{area.x + font * 0.9, body.y + font * line * (row + 0.5)}, text, font * 0.92, quiet_ink});
     };
     if (!cut) return;
     hidden(shown.first, -1, "above");

@@ -27,16 +27,21 @@ Fit fit(std::span<const Vec3d> points, double k, const Offset& offset, const Dep
 
 } // namespace
 
-View::View(const Region& region, const Area& area, const Vec3d& back, const Vec3d& up, std::span<const Vec3d> points,
-           double share)
-    : area_(area), centre_(region.centre), scale_(region.radius), right_(normalized(cross(up, back))),
-      up_(normalized(cross(back, right_))), back_(back) {
+View::View(const Region& region, const Area& area, const Vec3d& back, const Vec3d& up,
+           std::span<const Vec3d> points, double share)
+    : area_(area),
+      centre_(region.centre),
+      scale_(region.radius),
+      right_(normalized(cross(up, back))),
+      up_(normalized(cross(back, right_))),
+      back_(back) {
     std::vector<Vec3d> moved{Vec3d{0}};
     if (!points.empty()) moved.clear();
     for (const Vec3d& p : points) moved.push_back(to_view(p));
     const auto depth = [&](const Vec3d& p) { return dot(p, back_); };
     const double k = slope * share;
-    const Fit wide = fit(moved, k * area.width / area.height, [&](const Vec3d& p) { return dot(p, right_); }, depth);
+    const Fit wide =
+        fit(moved, k * area.width / area.height, [&](const Vec3d& p) { return dot(p, right_); }, depth);
     const Fit high = fit(moved, k, [&](const Vec3d& p) { return dot(p, up_); }, depth);
     const double distance = std::max({wide.distance, high.distance, 1.2 / slope});
     position_ = right_ * wide.centre + up_ * high.centre + back_ * distance;

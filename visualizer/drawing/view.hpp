@@ -34,11 +34,11 @@ struct Part {
 /// Drawing happens in view space, where the region is the unit ball around the origin: what a graphics card's single
 /// precision can't hold, a detail of 10⁻⁶ or a scene at 10⁶, is gone by then. Move points there in doubles.
 class View {
-  public:
+public:
     /// @param back unit, from the region to the camera
     /// @param points world points that are to be seen, within `share` of the area
-    View(const Region& region, const Area& area, const Vec3d& back, const Vec3d& up, std::span<const Vec3d> points,
-         double share);
+    View(const Region& region, const Area& area, const Vec3d& back, const Vec3d& up,
+         std::span<const Vec3d> points, double share);
 
     [[nodiscard]] Vec3d to_view(const Vec3d& world) const { return (world - centre_) / scale_; }
     [[nodiscard]] double scale() const { return scale_; } ///< world length of one unit of view space
@@ -57,7 +57,7 @@ class View {
     [[nodiscard]] const Vec3d& position() const { return position_; }
     [[nodiscard]] double field_of_view() const; ///< degrees, vertical
 
-  private:
+private:
     [[nodiscard]] Vec3d to_camera(const Vec3d& point) const; // x right, y up, z ahead
 
     Area area_;

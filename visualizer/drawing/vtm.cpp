@@ -39,20 +39,23 @@ void check_replaceable(const fs::path& folder) {
     if (!fs::exists(folder)) return;
     const std::string prefix = folder.filename().string() + "_";
     const auto refuse = [&] {
-        throw std::runtime_error(folder.string() + ": is in the way and holds other things than a .vtm's blocks");
+        throw std::runtime_error(folder.string() +
+                                 ": is in the way and holds other things than a .vtm's blocks");
     };
     if (!fs::is_directory(folder)) refuse();
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
-        if (!entry.is_directory() && (!name.starts_with(prefix) || entry.path().extension() != ".vtp")) refuse();
+        if (!entry.is_directory() && (!name.starts_with(prefix) || entry.path().extension() != ".vtp"))
+            refuse();
     }
 }
 
 /// A new empty folder, removed with all that is left in it.
 class Workshop {
-  public:
+public:
     explicit Workshop(const fs::path& beside) {
-        std::string name = (beside.parent_path() / fmt::format(".{}.XXXXXX", beside.filename().string())).string();
+        std::string name =
+            (beside.parent_path() / fmt::format(".{}.XXXXXX", beside.filename().string())).string();
         if (mkdtemp(name.data()) == nullptr)
             throw std::runtime_error(beside.string() + ": can't be written: its folder is missing or closed");
         folder_ = name;
@@ -66,7 +69,7 @@ class Workshop {
 
     [[nodiscard]] const fs::path& folder() const { return folder_; }
 
-  private:
+private:
     fs::path folder_;
 };
 
