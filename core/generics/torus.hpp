@@ -126,10 +126,15 @@ private:
     }
 
     // The ray starts on the torus: of the crossings that run its way (in or out), the nearest one is t = 0 exactly.
-    // At a graze that crossing may be missing; it is never farther than rounding can move a double root, √ε.
+    // If rounding has put the start δ beside the surface, that one lies about δ / |n·d| away; at a graze, where a double
+    // root moves by √ε, it may be missing, and no other one is taken for it.
     void start_on_surface(const Ray<T>& ray, std::array<T, 4>& roots, int count) const {
-        const bool outward = dot(normal(ray.origin, 0), ray.direction) > T(0);
-        const T reach = std::sqrt(epsilon<T> / dot(ray.direction, ray.direction)) * T(4);
+        const T speed = length(ray.direction);
+        const T slope = dot(normalized(normal(ray.origin, 0)), ray.direction);
+        const bool outward = slope > T(0);
+        const T offset = T(2) * magnitude(value(ray.origin)) / magnitude(slope);
+        const T reach =
+            maximum(T(4) * std::sqrt(epsilon<T>) / speed, minimum(offset, minor / (T(4) * speed)));
         T* nearest = nullptr;
         for (int i = outward ? 1 : 0; i < count; i += 2) {
             T& root = roots[std::size_t(i)];

@@ -39,7 +39,8 @@ bool tree_contains(const Workbench& bench, const Vec3d& p, double& nearest) {
             inside.push_back(value < 0);
         } else {
             const bool a = inside[node.left];
-            inside.push_back(holds(node.operation, a, node.operation != Operation::complement && inside[node.right]));
+            inside.push_back(
+                holds(node.operation, a, node.operation != Operation::complement && inside[node.right]));
         }
     }
     return inside.back();
@@ -58,10 +59,11 @@ TEST(Compound, is_inside_where_the_tree_of_implicit_values_is) {
         for (int i = 0; i < 20; ++i) {
             const Ray<double> ray{random.in_cube(6), random.direction()};
             const Spans<double> list = spans(bench, ray)[0];
-            std::vector<double> cuts{-30};
+            std::vector<double> cuts{-infinity<double>};
             for (const double t : ends(list))
                 if (std::isfinite(t)) cuts.push_back(t);
-            cuts.push_back(30);
+            cuts.front() = cuts.size() > 1 ? cuts[1] - 30 : -30;
+            cuts.push_back(cuts.back() + 30);
             bool inside = !list.empty() && list[0].enter.t == -infinity<double>;
             for (std::size_t k = 0; k + 1 < cuts.size(); ++k, inside = !inside)
                 for (const double part : {0.1, 0.35, 0.5, 0.75}) {
@@ -69,7 +71,8 @@ TEST(Compound, is_inside_where_the_tree_of_implicit_values_is) {
                     const double t = cuts[k] + part * (cuts[k + 1] - cuts[k]);
                     const bool truth = tree_contains(bench, ray.at(t), nearest);
                     if (nearest > 1e-7) {
-                        ASSERT_EQ(truth, inside) << expression << hex(ray) << " t " << hex(t) << " seed " << seed;
+                        ASSERT_EQ(truth, inside)
+                            << expression << hex(ray) << " t " << hex(t) << " seed " << seed;
                     }
                 }
         }
@@ -108,7 +111,8 @@ TEST(Compound, flush_caps_leave_no_slivers) {
             const Vec3d at{0.5 * std::cos(2.1 * i), 0.5 * std::sin(2.1 * i), 0};
             // The bore's matrix is made another way, so that its caps are flush only within rounding.
             b.operand({char('a' + i)}, Cylinder<double>{},
-                      place * (rotation({0, 0, 1}, random.uniform(0, 360)) * translation(at) * scaling(0.2, 0.2, 1)));
+                      place * (rotation({0, 0, 1}, random.uniform(0, 360)) * translation(at) *
+                               scaling(0.2, 0.2, 1)));
         }
         const auto m = b.glowing({1, 1, 1});
         b.compound("chain", "d - a - b - c", m);
@@ -139,7 +143,9 @@ TEST(Compound, flush_caps_leave_no_slivers) {
         const Solid<double>& bore = bench.world.solids[1];
         const Vec3d middle = bore.transform.translation() - 5 * size * down;
         const auto lists = spans(bench, {middle, down});
-        for (int k = 0; k < 3; ++k) { ASSERT_TRUE(lists[std::size_t(k)].empty()) << k << " seed " << seed; }
+        for (int k = 0; k < 3; ++k) {
+            ASSERT_TRUE(lists[std::size_t(k)].empty()) << k << " seed " << seed;
+        }
     }
 }
 

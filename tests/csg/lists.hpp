@@ -1,8 +1,8 @@
 #pragma once
 // Inside lists as values, for tests.
 
-#include "core/csg/sweep.hpp"
 #include "core/csg/program.hpp"
+#include "core/csg/sweep.hpp"
 
 #include <ostream>
 
@@ -57,9 +57,12 @@ inline List complemented(const List& a) {
 inline List evaluated(const std::vector<CompoundNode>& nodes, const std::vector<List>& leaves) {
     std::vector<List> lists;
     for (const CompoundNode& node : nodes) {
-        if (node.operation == Operation::leaf) lists.push_back(leaves[node.solid]);
-        else if (node.operation == Operation::complement) lists.push_back(complemented(lists[node.left]));
-        else lists.push_back(combined(node.operation, lists[node.left], lists[node.right]));
+        if (node.operation == Operation::leaf)
+            lists.push_back(leaves[node.solid]);
+        else if (node.operation == Operation::complement)
+            lists.push_back(complemented(lists[node.left]));
+        else
+            lists.push_back(combined(node.operation, lists[node.left], lists[node.right]));
     }
     return lists.back();
 }

@@ -1,5 +1,5 @@
-#include "core/csg/program.hpp"
 #include "core/csg/expression.hpp"
+#include "core/csg/program.hpp"
 #include "tests/csg/lists.hpp"
 #include "tests/support/effort.hpp"
 #include "tests/support/random.hpp"
@@ -53,11 +53,16 @@ bool contains(const List& list, double t) {
 bool contains(const Tree& tree, const std::vector<List>& leaves, double t) {
     std::vector<bool> inside;
     for (const CompoundNode& node : tree) {
-        if (node.operation == Operation::leaf) inside.push_back(contains(leaves[node.solid], t));
-        else if (node.operation == Operation::complement) inside.push_back(!inside[node.left]);
-        else if (node.operation == Operation::set_union) inside.push_back(inside[node.left] || inside[node.right]);
-        else if (node.operation == Operation::intersection) inside.push_back(inside[node.left] && inside[node.right]);
-        else inside.push_back(inside[node.left] && !inside[node.right]);
+        if (node.operation == Operation::leaf)
+            inside.push_back(contains(leaves[node.solid], t));
+        else if (node.operation == Operation::complement)
+            inside.push_back(!inside[node.left]);
+        else if (node.operation == Operation::set_union)
+            inside.push_back(inside[node.left] || inside[node.right]);
+        else if (node.operation == Operation::intersection)
+            inside.push_back(inside[node.left] && inside[node.right]);
+        else
+            inside.push_back(inside[node.left] && !inside[node.right]);
     }
     return inside.back();
 }
@@ -85,7 +90,9 @@ TEST(Program, is_inside_where_the_tree_is_point_by_point) {
             ASSERT_EQ(contains(list, t), contains(tree, leaves, t)) << "t " << t << " seed " << seed;
         for (std::size_t i = 0; i < list.size(); ++i) {
             ASSERT_EQ(list[i].entering, i % 2 == 0) << "seed " << seed;
-            if (i > 0) { ASSERT_LT(list[i - 1].t, list[i].t) << "seed " << seed; }
+            if (i > 0) {
+                ASSERT_LT(list[i - 1].t, list[i].t) << "seed " << seed;
+            }
         }
     }
 }
@@ -108,7 +115,8 @@ TEST(Program, brackets_in_a_chain_change_nothing) {
             ASSERT_EQ(lists[0], chain) << "seed " << seed;
         }
         List taken = leaves[1], one_by_one = leaves[0];
-        for (std::size_t i = 2; i < leaves.size(); ++i) taken = combined(Operation::set_union, taken, leaves[i]);
+        for (std::size_t i = 2; i < leaves.size(); ++i)
+            taken = combined(Operation::set_union, taken, leaves[i]);
         for (std::size_t i = 1; i < leaves.size(); ++i)
             one_by_one = combined(Operation::difference, one_by_one, leaves[i]);
         ASSERT_EQ(combined(Operation::difference, leaves[0], taken), one_by_one) << "seed " << seed;
@@ -117,7 +125,9 @@ TEST(Program, brackets_in_a_chain_change_nothing) {
 
 TEST(Program, laws_of_boolean_algebra) {
     const auto unite = [](const List& a, const List& b) { return combined(Operation::set_union, a, b); };
-    const auto intersect = [](const List& a, const List& b) { return combined(Operation::intersection, a, b); };
+    const auto intersect = [](const List& a, const List& b) {
+        return combined(Operation::intersection, a, b);
+    };
     for (std::uint64_t seed = 1; seed <= std::uint64_t(samples(5000)); ++seed) {
         Random random(seed);
         const List a = random_list(random, 0), b = random_list(random, 1), c = random_list(random, 2);
@@ -133,10 +143,12 @@ TEST(Program, laws_of_boolean_algebra) {
 
 Tree chain_of(Operation operation, std::uint32_t count, bool from_the_left) {
     Tree tree;
-    for (std::uint32_t i = 0; i < count; ++i) tree.push_back({Operation::leaf, 0, 0, from_the_left ? i : count - 1 - i});
+    for (std::uint32_t i = 0; i < count; ++i)
+        tree.push_back({Operation::leaf, 0, 0, from_the_left ? i : count - 1 - i});
     std::uint32_t root = 0;
     for (std::uint32_t i = 1; i < count; ++i) {
-        tree.push_back(from_the_left ? CompoundNode{operation, root, i, 0} : CompoundNode{operation, i, root, 0});
+        tree.push_back(from_the_left ? CompoundNode{operation, root, i, 0}
+                                     : CompoundNode{operation, i, root, 0});
         root = std::uint32_t(tree.size() - 1);
     }
     return tree;
@@ -178,7 +190,8 @@ TEST(Program, chains_of_a_hundred_thousand_are_balanced_and_give_all_their_spans
     // a − (b − (c − …)) can't be regrouped; it still needs no deep call stack.
     const Tree nested = chain_of(Operation::difference, 4, false); // 0 − (1 − (2 − 3)), each within the next
     EXPECT_EQ(times(run_program(nested, around)), (std::vector<double>{}));
-    const std::vector<List> inward{list_of(0, {0, 9}), list_of(1, {1, 8}), list_of(2, {2, 7}), list_of(3, {3, 6})};
+    const std::vector<List> inward{list_of(0, {0, 9}), list_of(1, {1, 8}), list_of(2, {2, 7}),
+                                   list_of(3, {3, 6})};
     EXPECT_EQ(times(run_program(nested, inward)), (std::vector<double>{0, 1, 2, 3, 6, 7, 8, 9}));
     EXPECT_EQ(deepest(compile(chain_of(Operation::difference, count, false))), count);
 }
@@ -218,7 +231,7 @@ std::string written(const Tree& tree) {
 
 TEST(Program, keeps_the_authors_order_and_guards_the_right_operands) {
     EXPECT_EQ(written(chain_of(Operation::difference, 4, true)), "0?123||-");
-    EXPECT_EQ(written(chain_of(Operation::set_union, 4, false)), "32|10||");
+    EXPECT_EQ(written(chain_of(Operation::set_union, 4, false)), "01|23||");
     EXPECT_EQ(written(chain_of(Operation::intersection, 4, true)), "0?1&?2?3&&");
 }
 

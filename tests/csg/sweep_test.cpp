@@ -35,25 +35,25 @@ TEST(Sweep, two_spans_in_every_position) {
         Times b, united, intersected, subtracted;
     };
     const std::vector<Case> cases{
-        {{7, 9}, {2, 6, 7, 9}, {}, {2, 6}},       // after
-        {{0, 1}, {0, 1, 2, 6}, {}, {2, 6}},       // before
-        {{4, 9}, {2, 9}, {4, 6}, {2, 4}},         // overlaps the end
-        {{0, 4}, {0, 6}, {2, 4}, {4, 6}},         // overlaps the start
-        {{3, 5}, {2, 6}, {3, 5}, {2, 3, 5, 6}},   // inside
-        {{0, 9}, {0, 9}, {2, 6}, {}},             // around
-        {{2, 6}, {2, 6}, {2, 6}, {}},             // the same
-        {{6, 9}, {2, 9}, {}, {2, 6}},             // touches the end
-        {{0, 2}, {0, 6}, {}, {2, 6}},             // touches the start
-        {{2, 4}, {2, 6}, {2, 4}, {4, 6}},         // flush at the start
-        {{4, 6}, {2, 6}, {4, 6}, {2, 4}},         // flush at the end
-        {{2, 9}, {2, 9}, {2, 6}, {}},             // flush and longer
-        {{0, 6}, {0, 6}, {2, 6}, {}},             //
-        {{}, {2, 6}, {}, {2, 6}},                 // nothing
-        {{-inf, inf}, {-inf, inf}, {2, 6}, {}},   // everything
-        {{-inf, 4}, {-inf, 6}, {2, 4}, {4, 6}},   // half spaces
-        {{4, inf}, {2, inf}, {4, 6}, {2, 4}},     //
-        {{2, inf}, {2, inf}, {2, 6}, {}},         //
-        {{-inf, 2}, {-inf, 6}, {}, {2, 6}},       //
+        {{7, 9}, {2, 6, 7, 9}, {}, {2, 6}},     // after
+        {{0, 1}, {0, 1, 2, 6}, {}, {2, 6}},     // before
+        {{4, 9}, {2, 9}, {4, 6}, {2, 4}},       // overlaps the end
+        {{0, 4}, {0, 6}, {2, 4}, {4, 6}},       // overlaps the start
+        {{3, 5}, {2, 6}, {3, 5}, {2, 3, 5, 6}}, // inside
+        {{0, 9}, {0, 9}, {2, 6}, {}},           // around
+        {{2, 6}, {2, 6}, {2, 6}, {}},           // the same
+        {{6, 9}, {2, 9}, {}, {2, 6}},           // touches the end
+        {{0, 2}, {0, 6}, {}, {2, 6}},           // touches the start
+        {{2, 4}, {2, 6}, {2, 4}, {4, 6}},       // flush at the start
+        {{4, 6}, {2, 6}, {4, 6}, {2, 4}},       // flush at the end
+        {{2, 9}, {2, 9}, {2, 6}, {}},           // flush and longer
+        {{0, 6}, {0, 6}, {2, 6}, {}},           //
+        {{}, {2, 6}, {}, {2, 6}},               // nothing
+        {{-inf, inf}, {-inf, inf}, {2, 6}, {}}, // everything
+        {{-inf, 4}, {-inf, 6}, {2, 4}, {4, 6}}, // half spaces
+        {{4, inf}, {2, inf}, {4, 6}, {2, 4}},   //
+        {{2, inf}, {2, inf}, {2, 6}, {}},       //
+        {{-inf, 2}, {-inf, 6}, {}, {2, 6}},     //
         {{0, 3, 5, 9}, {0, 9}, {2, 3, 5, 6}, {3, 5}},
         {{0, 2, 6, 9}, {0, 9}, {}, {2, 6}},
     };
@@ -140,7 +140,9 @@ TEST(Sweep, lists_lower_on_the_stack_stay_as_they_are) {
                 EXPECT_EQ(top(stack), combined(operation, list_of(1, a), list_of(2, b)));
                 stack.complement();
                 stack.combine(intersect);
-                EXPECT_EQ(top(stack), combined(intersect, below, complemented(combined(operation, list_of(1, a), list_of(2, b)))));
+                EXPECT_EQ(top(stack),
+                          combined(intersect, below,
+                                   complemented(combined(operation, list_of(1, a), list_of(2, b)))));
             }
 }
 

@@ -11,7 +11,8 @@
 namespace rayscope::test {
 namespace {
 
-std::string described(const Generic<double>& shape, const Mat4d& m, const Ray<double>& ray, std::uint64_t seed) {
+std::string described(const Generic<double>& shape, const Mat4d& m, const Ray<double>& ray,
+                      std::uint64_t seed) {
     return std::string(generic_name(shape)) + " matrix " + hex(m) + " ray " + hex(ray) + " seed " +
            std::to_string(seed);
 }
@@ -37,12 +38,16 @@ void expect_right_between_ends(const Solid<double>& solid, const Mat4d& m, const
     for (std::size_t i = 0; i + 1 < ends.size(); ++i, inside = !inside) {
         const double low = ends[i], high = ends[i + 1];
         if (high - low <= clearance) continue;
-        const double middle = std::isfinite(low) ? (std::isfinite(high) ? (low + high) / 2 : low + 0.5 + clearance)
-                                                 : (std::isfinite(high) ? high - 0.5 - clearance : 0.0);
-        ASSERT_EQ(exactly_inside(solid.shape, exact.at(Wide(middle))), inside) << "t " << hex(middle) << ' ' << what;
+        const double middle = std::isfinite(low)
+                                  ? (std::isfinite(high) ? (low + high) / 2 : low + 0.5 + clearance)
+                                  : (std::isfinite(high) ? high - 0.5 - clearance : 0.0);
+        ASSERT_EQ(exactly_inside(solid.shape, exact.at(Wide(middle))), inside)
+            << "t " << hex(middle) << ' ' << what;
         const Vec3d p = solid.transform.to_object(ray).at(middle);
         const double value = implicit_value(solid.shape, p);
-        if (std::abs(value) > 1e-9) { ASSERT_EQ(value < 0, inside) << "implicit value, t " << hex(middle) << ' ' << what; }
+        if (std::abs(value) > 1e-9) {
+            ASSERT_EQ(value < 0, inside) << "implicit value, t " << hex(middle) << ' ' << what;
+        }
     }
 }
 
@@ -54,7 +59,8 @@ TEST(Intervals, are_where_the_point_is_inside) {
             Ray<double> ray = random.towards_unit_cube(4);
             ray = {transformed_point(m, ray.origin), transformed_vector(m, ray.direction)};
             const Solid<double> solid = placed(shape, m);
-            expect_right_between_ends(solid, m, ray, solid.intervals(ray), 1e-7, described(shape, m, ray, seed));
+            expect_right_between_ends(solid, m, ray, solid.intervals(ray), 1e-7,
+                                      described(shape, m, ray, seed));
             if (HasFatalFailure()) return;
         }
 }
@@ -107,8 +113,11 @@ TEST(Intervals, are_ascending_and_numbers_whatever_the_ray) {
                 const std::string what = described(shape, Mat4d{1}, ray, seed);
                 ASSERT_FALSE(std::isnan(span.enter) || std::isnan(span.exit)) << what;
                 ASSERT_LE(last, span.enter) << what;
-                if (is_solid(shape)) { ASSERT_LT(span.enter, span.exit) << what; }
-                else { ASSERT_EQ(span.enter, span.exit) << what; }
+                if (is_solid(shape)) {
+                    ASSERT_LT(span.enter, span.exit) << what;
+                } else {
+                    ASSERT_EQ(span.enter, span.exit) << what;
+                }
                 last = span.exit;
             }
         }

@@ -25,15 +25,19 @@ void expect_spans(const Generic<double>& shape, const Ray<double>& ray, const st
         const Interval<double>& span = found.items[i];
         EXPECT_DOUBLE_EQ(span.enter, expected[i].enter);
         EXPECT_DOUBLE_EQ(span.exit, expected[i].exit);
-        if (std::isfinite(span.enter) && expected[i].enter_face != any) { EXPECT_EQ(span.enter_face, expected[i].enter_face); }
-        if (std::isfinite(span.exit) && expected[i].exit_face != any) { EXPECT_EQ(span.exit_face, expected[i].exit_face); }
+        if (std::isfinite(span.enter) && expected[i].enter_face != any) {
+            EXPECT_EQ(span.enter_face, expected[i].enter_face);
+        }
+        if (std::isfinite(span.exit) && expected[i].exit_face != any) {
+            EXPECT_EQ(span.exit_face, expected[i].exit_face);
+        }
     }
 }
 
 TEST(KnownRays, sphere) {
     const Sphere<double> sphere;
     expect_spans(sphere, {{0, 0, 5}, {0, 0, -1}}, {{4, 6}});
-    expect_spans(sphere, {{0, 0, 5}, {0, 0, -2}}, {{2, 3}}); // t counts in lengths of the direction
+    expect_spans(sphere, {{0, 0, 5}, {0, 0, -2}}, {{2, 3}});    // t counts in lengths of the direction
     expect_spans(sphere, {{0, 0, -5}, {0, 0, -1}}, {{-6, -4}}); // behind
     expect_spans(sphere, {{0, 0, 0}, {0, 1, 0}}, {{-1, 1}});
     expect_spans(sphere, {{0, 0, 0.5}, {0, 0, 1}}, {{-1.5, 0.5}});
@@ -67,14 +71,15 @@ TEST(KnownRays, cylinder) {
     expect_spans(cylinder, {{0, 0, 0}, {0, 1, 0}}, {{-1, 1, wall, wall}});
     expect_spans(cylinder, {{5, 0, 0}, {1, 0, 0}}, {{-6, -4, wall, wall}});
     expect_spans(cylinder, {{0.5, 0, 0}, {-0.0, 0.0, 1}}, {{-1, 1, bottom, top}});
-    expect_spans(cylinder, {{5, 0, 1}, {-1, 0, 0}}, {});   // in the plane of a cap
+    expect_spans(cylinder, {{5, 0, 1}, {-1, 0, 0}}, {}); // in the plane of a cap
     expect_spans(cylinder, {{5, 0, 1}, {-1, 0, -0.0}}, {});
     expect_spans(cylinder, {{5, 0, 1.5}, {-1, 0, 0}}, {}); // above
     expect_spans(cylinder, {{5, 1, 0}, {-1, 0, 0}}, {});   // touches the wall
     expect_spans(cylinder, {{2, 0, 5}, {0, 0, -1}}, {});   // beside the axis
     expect_spans(cylinder, {{5, 5, 0}, {-1, 1, 0}}, {});
-    expect_spans(cylinder, {{1, 0, 5}, {0, 0, -1}}, {{4, 6, top, bottom}}); // in the wall, which belongs to it
-    expect_spans(cylinder, {{0, 0, 2}, {1, 0, -1}}, {});                    // touches the rim from outside
+    expect_spans(cylinder, {{1, 0, 5}, {0, 0, -1}},
+                 {{4, 6, top, bottom}});                 // in the wall, which belongs to it
+    expect_spans(cylinder, {{0, 0, 2}, {1, 0, -1}}, {}); // touches the rim from outside
     expect_spans(cylinder, {{2, 0, 0}, {-1, 0, 1}}, {});
 }
 
@@ -95,10 +100,10 @@ TEST(KnownRays, cone) {
     expect_spans(cone, {{0.5, 0, -5}, {0, 0, 1}}, {{4, 5, base, wall}});
     expect_spans(cone, {{0, 0, 0}, {0, 0, 1}}, {{-1, 1, base, any}});
     expect_spans(cone, {{0, 0.5, -0.5}, {0, 0, 1}}, {{-0.5, 0.5, base, wall}});
-    expect_spans(cone, {{5, 0, 1}, {-1, 0, 0}}, {});    // through the apex alone
-    expect_spans(cone, {{5, 0, 1.5}, {-1, 0, 0}}, {});  // through the other nappe
+    expect_spans(cone, {{5, 0, 1}, {-1, 0, 0}}, {});     // through the apex alone
+    expect_spans(cone, {{5, 0, 1.5}, {-1, 0, 0}}, {});   // through the other nappe
     expect_spans(cone, {{0.25, 0, 5}, {0, 0.5, 0}}, {}); // above it, inside the other nappe
-    expect_spans(cone, {{5, 0, -1}, {-1, 0, 0}}, {});   // in the plane of the base
+    expect_spans(cone, {{5, 0, -1}, {-1, 0, 0}}, {});    // in the plane of the base
     expect_spans(cone, {{5, 2, 0}, {-1, 0, 0}}, {});
     expect_spans(cone, {{-2, 0, 0}, {1, 0, 0}}, {{1.5, 2.5, wall, wall}});
     expect_spans(cone, {{1, 0, -2}, {-1, 0, 1}}, {{1, 5.0 / 3, base, wall}});

@@ -29,14 +29,15 @@ TEST(Normal, is_unit_and_points_outward_also_under_shear_and_mirror) {
             const Mat4d m = random_matrix(random);
             const Solid<double> solid = placed(shape, m);
             const Ray<double> object_ray = random.towards_unit_cube(3);
-            const Ray<double> ray{transformed_point(m, object_ray.origin), transformed_vector(m, object_ray.direction)};
+            const Ray<double> ray{transformed_point(m, object_ray.origin),
+                                  transformed_vector(m, object_ray.direction)};
             for (const Interval<double>& span : solid.intervals(ray))
                 for (const bool entering : {true, false}) {
                     const double t = entering ? span.enter : span.exit;
                     if (!std::isfinite(t)) continue;
                     const Vec3d n = solid.normal(ray, t, entering ? span.enter_face : span.exit_face);
-                    const std::string what = std::string(generic_name(shape)) + ' ' + hex(m) + hex(ray) + hex(t) +
-                                             " seed " + std::to_string(seed);
+                    const std::string what = std::string(generic_name(shape)) + ' ' + hex(m) + hex(ray) +
+                                             hex(t) + " seed " + std::to_string(seed);
                     ASSERT_NEAR(dot(n, n), 1, 1e-15) << what;
                     ASSERT_TRUE(entering ? dot(n, ray.direction) <= 0 : dot(n, ray.direction) >= 0) << what;
                     const Vec3d slope = slope_of_value(solid, ray.at(t));
@@ -66,7 +67,8 @@ TEST(Normal, each_face_has_its_own) {
     EXPECT_EQ(normalized(Torus<double>{0.25}.normal({1.25, 0, 0}, 0)), (Vec3d{1, 0, 0}));
     EXPECT_EQ(normalized(Torus<double>{0.25}.normal({0, 0.75, 0}, 0)), (Vec3d{0, -1, 0}));
     EXPECT_EQ(normalized(Torus<double>{0.25}.normal({1, 0, -0.25}, 0)), (Vec3d{0, 0, -1}));
-    EXPECT_EQ(Torus<double>{0.25}.normal({0, 0, 0.1}, 0), (Vec3d{0, 0, 0.1})); // on the axis: no division by zero
+    EXPECT_EQ(Torus<double>{0.25}.normal({0, 0, 0.1}, 0),
+              (Vec3d{0, 0, 0.1})); // on the axis: no division by zero
     EXPECT_EQ(OpenCylinder<double>{}.normal({0.6, 0.8, 0.3}, 0), (Vec3d{0.6, 0.8, 0}));
     EXPECT_EQ(OpenCone<double>{0.25}.normal({0.5, 0, 0.3}, 0), Cone<double>{0.25}.normal({0.5, 0, 0.3}, 0));
 }
@@ -126,7 +128,9 @@ TEST(Bounds, hold_every_crossing) {
                 }
         }
         for (int axis = 0; axis < 3; ++axis) // and are not wider than they need to be
-            if (std::isfinite(box.high[axis])) { EXPECT_GT(widest[axis], box.high[axis] * 0.9) << generic_name(shape); }
+            if (std::isfinite(box.high[axis])) {
+                EXPECT_GT(widest[axis], box.high[axis] * 0.9) << generic_name(shape);
+            }
     }
 }
 

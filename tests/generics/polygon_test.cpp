@@ -25,10 +25,19 @@ TEST(Polygon, a_concave_outline_is_open_where_it_is_notched) {
             }
             return list.count == 1;
         };
-        for (const auto& [x, y] : {std::pair{0.5, 0.5}, {1.5, 0.5}, {0.5, 1.5}, {1.9, 0.9}, {0.9, 1.9}, {0.1, 0.1}})
+        for (const auto& [x, y] :
+             {std::pair{0.5, 0.5}, {1.5, 0.5}, {0.5, 1.5}, {1.9, 0.9}, {0.9, 1.9}, {0.1, 0.1}})
             EXPECT_TRUE(hits(x, y)) << x << ' ' << y;
-        for (const auto& [x, y] : {std::pair{1.5, 1.5}, {1.1, 1.1}, {-0.1, 0.5}, {2.1, 0.5}, {0.5, 2.1}, {0.5, -0.1},
-                                   {2.5, 1}, {-1.0, 1}, {1.5, -1}, {-1, -1}})
+        for (const auto& [x, y] : {std::pair{1.5, 1.5},
+                                   {1.1, 1.1},
+                                   {-0.1, 0.5},
+                                   {2.1, 0.5},
+                                   {0.5, 2.1},
+                                   {0.5, -0.1},
+                                   {2.5, 1},
+                                   {-1.0, 1},
+                                   {1.5, -1},
+                                   {-1, -1}})
             EXPECT_FALSE(hits(x, y)) << x << ' ' << y;
     }
 }
@@ -52,7 +61,8 @@ TEST(Polygon, its_normal_follows_the_order_of_its_corners) {
 TEST(Polygon, a_triangle_is_hit_exactly_where_the_areas_agree) {
     for (std::uint64_t seed = 1; seed <= std::uint64_t(samples(5000)); ++seed) {
         Random random(seed);
-        const Vec3d a = random.in_cube(2), b = random.in_cube(2), c = random.in_cube(2), origin = random.in_cube(3);
+        const Vec3d a = random.in_cube(2), b = random.in_cube(2), c = random.in_cube(2),
+                    origin = random.in_cube(3);
         const double u = random.uniform(-0.5, 1.5), v = random.uniform(-0.5, 1.5), w = 1 - u - v;
         const double edge = std::min({std::abs(u), std::abs(v), std::abs(w)});
         if (edge < 1e-9 || length(cross(b - a, c - a)) < 1e-3) continue;
@@ -63,7 +73,9 @@ TEST(Polygon, a_triangle_is_hit_exactly_where_the_areas_agree) {
         const auto list = triangle.intervals(ray);
         const std::string what = hex(a) + hex(b) + hex(c) + hex(ray) + " seed " + std::to_string(seed);
         ASSERT_EQ(list.count, u > 0 && v > 0 && w > 0 ? 1 : 0) << what;
-        if (list.count == 1) { ASSERT_NEAR(list.items[0].enter, 1, 1e-9) << what; }
+        if (list.count == 1) {
+            ASSERT_NEAR(list.items[0].enter, 1, 1e-9) << what;
+        }
     }
 }
 
@@ -85,8 +97,8 @@ TEST(Polygon, nothing_leaks_through_shared_edges) {
 }
 
 TEST(Polygon, exact_edges_and_corners_of_a_fan_are_hit_once) {
-    const std::vector<Vec3d> rim{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0},
-                                 {1, -1, 0}};
+    const std::vector<Vec3d> rim{{1, 0, 0},  {1, 1, 0},   {0, 1, 0},  {-1, 1, 0},
+                                 {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}, {1, -1, 0}};
     for (const Vec3d& target : {Vec3d{0, 0, 0}, Vec3d{0.5, 0, 0}, Vec3d{0, 0.5, 0}, Vec3d{0.5, 0.5, 0},
                                 Vec3d{-0.5, 0, 0}, Vec3d{-0.25, 0.25, 0}, Vec3d{0, -0.5, 0}})
         for (const double way : {1.0, -1.0}) {
@@ -134,11 +146,13 @@ TEST(OpenTube, keeps_the_crossings_of_the_wall_alone) {
     };
     using List = std::vector<double>;
     EXPECT_EQ(ts(cylinder.intervals({{-3, 0, 0}, {1, 0, 0}})), (List{2, 4}));
-    EXPECT_EQ(ts(cylinder.intervals({{0, 0, -3}, {0, 0, 1}})), List{});            // through the open ends
-    EXPECT_EQ(ts(cylinder.intervals({{0, 0, 3}, {0.5, 0, -1.25}})), (List{2}));      // in by the end, out by the wall
-    EXPECT_EQ(ts(cylinder.intervals({{0, -3, 0}, {0, 1, 0.3}})), (List{2}));      // in by the wall, out by the end
+    EXPECT_EQ(ts(cylinder.intervals({{0, 0, -3}, {0, 0, 1}})), List{}); // through the open ends
+    EXPECT_EQ(ts(cylinder.intervals({{0, 0, 3}, {0.5, 0, -1.25}})),
+              (List{2}));                                                    // in by the end, out by the wall
+    EXPECT_EQ(ts(cylinder.intervals({{0, -3, 0}, {0, 1, 0.3}})), (List{2})); // in by the wall, out by the end
     EXPECT_EQ(ts(cylinder.intervals({{-3, 0, 2}, {1, 0, 0}})), List{});
-    EXPECT_EQ(ts(cylinder.intervals({{1, 0, 0}, {-1, 0, 0}}, 0)), (List{0, 2}));   // leaving: t = 0, and the far wall
+    EXPECT_EQ(ts(cylinder.intervals({{1, 0, 0}, {-1, 0, 0}}, 0)),
+              (List{0, 2})); // leaving: t = 0, and the far wall
     const OpenCone<double> cone{0.5};
     EXPECT_EQ(ts(cone.intervals({{-3, 0, 0}, {1, 0, 0}})), (List{2.25, 3.75}));
     EXPECT_EQ(ts(cone.intervals({{0, 0, -3}, {0, 0, 1}})), List{});

@@ -21,7 +21,8 @@ void expect_relative(const Generic<double>& shape, const Ray<double>& ray, doubl
 
 // From 6·10⁻¹¹ beside the wall the near root is that small; it comes from the product of the roots with all its digits.
 TEST(Precision, a_root_close_to_the_start_keeps_its_digits) {
-    for (const Generic<double>& shape : {Generic<double>(Sphere<double>{}), Generic<double>(Cylinder<double>{})})
+    for (const Generic<double>& shape :
+         {Generic<double>(Sphere<double>{}), Generic<double>(Cylinder<double>{})})
         for (const double beside : {0x1p-34, -0x1p-34})
             for (const double way : {1.0, -1.0}) {
                 const Ray<double> ray{{0, 1 + beside, 0}, {0.7 * way, 0.6 * way, 0.1 * way}};
@@ -44,20 +45,27 @@ TEST(Precision, hit_or_miss_is_decided_by_the_distance_from_the_centre_even_from
         Vec3d direction = random.direction();
         Vec3d sideways = normalized(cross(direction, random.direction()));
         Vec3d origin = 0x1p45 * direction + random.uniform(0.99, 1.01) * sideways;
-        for (const Generic<double>& shape : {Generic<double>(Sphere<double>{}), Generic<double>(Cylinder<double>{})}) {
+        for (const Generic<double>& shape :
+             {Generic<double>(Sphere<double>{}), Generic<double>(Cylinder<double>{})}) {
             if (std::holds_alternative<Cylinder<double>>(shape)) {
                 direction = normalized(Vec3d{direction.x, direction.y, 0});
                 sideways = {-direction.y, direction.x, 0};
                 origin = 0x1p45 * direction + random.uniform(0.99, 1.01) * sideways;
             }
             const WideRay ray = exact_object_ray(Mat4d{1}, {origin, direction});
-            const auto product = [](const WideVec& a, const WideVec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+            const auto product = [](const WideVec& a, const WideVec& b) {
+                return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+            };
             const Wide dd = product(ray.direction, ray.direction), od = product(ray.origin, ray.direction);
             const WideVec q = ray.at(-od / dd);
             const double squared = double((1 - product(q, q)) / dd), step = 0x1p-7;
             const std::string what = hex(Ray<double>{origin, direction}) + " seed " + std::to_string(seed);
-            if (squared > 4 * step * step) { ASSERT_EQ(intervals(shape, {origin, direction}).count, 1) << what; }
-            if (squared < -1e-6) { ASSERT_EQ(intervals(shape, {origin, direction}).count, 0) << what; }
+            if (squared > 4 * step * step) {
+                ASSERT_EQ(intervals(shape, {origin, direction}).count, 1) << what;
+            }
+            if (squared < -1e-6) {
+                ASSERT_EQ(intervals(shape, {origin, direction}).count, 0) << what;
+            }
             near_the_limb += std::abs(squared) < 0.001 ? 1 : 0;
         }
     }
@@ -90,7 +98,9 @@ TEST(Precision, a_double_root_of_the_torus_is_two_crossings_or_none) {
         const double half = std::sqrt((1 + minor) * (1 + minor) - (1 - minor) * (1 - minor));
         EXPECT_NEAR(inner.items[0].enter, 3 - half, 1e-14);
         EXPECT_NEAR(inner.items[std::size_t(inner.count) - 1].exit, 3 + half, 1e-14);
-        if (inner.count == 2) { EXPECT_NEAR(inner.items[0].exit, inner.items[1].enter, 1e-7); }
+        if (inner.count == 2) {
+            EXPECT_NEAR(inner.items[0].exit, inner.items[1].enter, 1e-7);
+        }
         // The plane on top touches the whole circle: four equal roots in pairs.
         for (const Interval<double>& span : torus.intervals({{-3, 0, minor}, {1, 0, 0}}))
             EXPECT_LT(span.exit - span.enter, 1e-7);

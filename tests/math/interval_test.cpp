@@ -18,7 +18,8 @@ TEST(Interval, is_empty_without_an_inside) {
 
 TEST(Interval, the_intersection_keeps_the_face_that_made_each_end) {
     const Interval<double> a{1, 4, 10, 11}, b{2, 5, 20, 21}, inner{2, 3, 30, 31};
-    const auto expect = [](const Interval<double>& x, double enter, double exit, int enter_face, int exit_face) {
+    const auto expect = [](const Interval<double>& x, double enter, double exit, int enter_face,
+                           int exit_face) {
         EXPECT_EQ(x.enter, enter);
         EXPECT_EQ(x.exit, exit);
         EXPECT_EQ(x.enter_face, enter_face);

@@ -28,7 +28,8 @@ TEST(Quadratic, finds_both_roots_in_ascending_order) {
 }
 
 TEST(Quadratic, a_small_root_beside_a_large_one_keeps_its_digits) {
-    for (const double sign : {1.0, -1.0}) { // t² − 2·10⁸ t + 1: the schoolbook's difference leaves 7.45e-9 for 5e-9
+    for (const double sign :
+         {1.0, -1.0}) { // t² − 2·10⁸ t + 1: the schoolbook's difference leaves 7.45e-9 for 5e-9
         const auto [first, second] =
             quadratic_roots(1.0, -1e8 * sign, 1.0, std::sqrt(difference_of_products(1e8, 1e8, 1.0, 1.0)));
         EXPECT_NEAR(sign > 0 ? first : second, sign * 5e-9, 5e-24);
@@ -64,7 +65,8 @@ TEST(BracketedRoot, newton_that_would_leave_the_bracket_is_replaced_by_bisection
 TEST(BracketedRoot, a_thousand_random_cubics) {
     Random random(3);
     for (int i = 0; i < 1000; ++i) {
-        const double root = random.uniform(-1, 1), a = random.uniform(0.01, 5), scale = random.coin() ? 1 : -1;
+        const double root = random.uniform(-1, 1), a = random.uniform(0.01, 5),
+                     scale = random.coin() ? 1 : -1;
         const auto f = [&](double t) { // one real root
             const double u = t - root;
             return Jet<double>{scale * u * (u * u + a), scale * (3 * u * u + a)};

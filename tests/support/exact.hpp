@@ -65,7 +65,8 @@ struct WideRay {
 [[nodiscard]] inline bool exactly_inside(const Generic<double>& shape, const WideVec& p) {
     int faces = 1;
     if (std::holds_alternative<Cube<double>>(shape)) faces = 6;
-    if (std::holds_alternative<Cylinder<double>>(shape) || std::holds_alternative<Cone<double>>(shape)) faces = 3;
+    if (std::holds_alternative<Cylinder<double>>(shape) || std::holds_alternative<Cone<double>>(shape))
+        faces = 3;
     for (int face = 0; face < faces; ++face)
         if (!(face_value(shape, face, p) < 0)) return false;
     return true;

@@ -50,7 +50,8 @@ namespace rayscope::test {
 [[nodiscard]] inline Mat4d random_matrix(Random& random) {
     const Mat4d size = scaling(random.uniform(0.3, 2) * (random.coin() ? -1 : 1), random.uniform(0.3, 2),
                                random.uniform(0.3, 2));
-    return translation(random.in_cube(3)) * random_rotation(random) * shearing(random.uniform(-0.7, 0.7)) * size;
+    return translation(random.in_cube(3)) * random_rotation(random) * shearing(random.uniform(-0.7, 0.7)) *
+           size;
 }
 
 [[nodiscard]] inline Vec3d transformed_point(const Mat4d& m, const Vec3d& p) {

@@ -8,7 +8,7 @@
 namespace rayscope::test {
 
 class Random {
-  public:
+public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
     /// SplitMix64 (Steele, Lea, Flood 2014).
@@ -39,7 +39,7 @@ class Random {
         return {origin, in_cube(1.3) - origin};
     }
 
-  private:
+private:
     std::uint64_t state_;
 };
 

@@ -11,7 +11,7 @@ namespace rayscope::test {
 
 /// Adds one thing after the other; ids are indices in the order of adding.
 class SceneBuilder {
-  public:
+public:
     SceneBuilder() { scene_.file = "test"; }
 
     [[nodiscard]] Scene& scene() { return scene_; }
@@ -101,7 +101,7 @@ class SceneBuilder {
 
     [[nodiscard]] Workbench open() const { return make_workbench(scene_); }
 
-  private:
+private:
     void find(std::string_view name, SceneNode& node) const {
         for (std::size_t i = 0; i < scene_.generics.size(); ++i)
             if (scene_.generics[i].name == name) {

@@ -7,12 +7,13 @@ namespace rayscope::test {
 
 /// Every solid generic, with parameters that its default would hide.
 [[nodiscard]] inline std::vector<Generic<double>> solid_generics() {
-    return {Sphere<double>{}, Sphere<double>{1.75}, Plane<double>{},    Cylinder<double>{},
-            Cone<double>{},   Cone<double>{0.5},    Cube<double>{},     Torus<double>{},
-            Torus<double>{0.6}};
+    return {Sphere<double>{},  Sphere<double>{1.75}, Plane<double>{}, Cylinder<double>{}, Cone<double>{},
+            Cone<double>{0.5}, Cube<double>{},       Torus<double>{}, Torus<double>{0.6}};
 }
 
-[[nodiscard]] inline Polygon<double> triangle() { return Polygon<double>({{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}); }
+[[nodiscard]] inline Polygon<double> triangle() {
+    return Polygon<double>({{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
+}
 
 [[nodiscard]] inline std::vector<Generic<double>> all_generics() {
     std::vector<Generic<double>> shapes = solid_generics();

@@ -50,15 +50,23 @@ void expect_clean(const Generic<double>& shape, const Place& place, int count) {
         Vec3d d = random.direction();
         if (random.coin()) d = normalized(d - (1 - random.decade(-6, 0)) * dot(d, at.normal) * at.normal);
         const double slope = dot(d, at.normal);
-        if (std::abs(slope) < 1e-6) continue;
+        // The torus has no product of roots: a start that rounding puts beside it can miss a chord as thin as that.
+        const Box<double>& box = bench.world.objects[0].bounds;
+        const double beside = epsilon<double> * length(at.point) / length(box.high - box.low);
+        if (std::abs(slope) < (convex ? 1e-6 : std::max(1e-6, 32 * std::sqrt(beside)))) continue;
         const bool outward = slope > 0;
         const bool stays = outward == (dot(at.facing, at.normal) > 0);
         const Ray<double> next{at.point, d};
         const auto again = stage.closest(next, Range<double>{}, stays ? at.back : at.through, work, recorder);
-        const std::string what = std::string(generic_name(shape)) + ' ' + place.name + " seed " + std::to_string(seed) +
-                                 (outward ? " outward " : " inward ") + hex(ray) + hex(d);
-        if (outward && convex) { ASSERT_FALSE(again.has_value()) << "t " << hex(again->t) << ' ' << what; }
-        if (outward && !convex && again) { ASSERT_TRUE(again->entering) << what; }
+        const std::string what = std::string(generic_name(shape)) + ' ' + place.name + " seed " +
+                                 std::to_string(seed) + (outward ? " outward " : " inward ") + hex(ray) +
+                                 hex(d);
+        if (outward && convex) {
+            ASSERT_FALSE(again.has_value()) << "t " << hex(again->t) << ' ' << what;
+        }
+        if (outward && !convex && again) {
+            ASSERT_TRUE(again->entering) << what;
+        }
         if (!outward && bounded) {
             ASSERT_TRUE(again.has_value()) << what;
             ASSERT_FALSE(again->entering) << what;
@@ -105,7 +113,8 @@ TEST(Acne, a_lit_convex_solid_casts_no_shadow_on_itself) {
                 if (hit == nullptr || !hit->entering) continue;
                 const double cosine = dot(hit->facing, normalized(Vec3d{1, 2, 3}));
                 if (cosine < 1e-6) continue;
-                ASSERT_NEAR(trace.colour.x, cosine, 1e-12) << generic_name(shape) << place.name << hex(ray) << seed;
+                ASSERT_NEAR(trace.colour.x, cosine, 1e-12)
+                    << generic_name(shape) << place.name << hex(ray) << seed;
             }
         }
     }

@@ -114,7 +114,8 @@ TEST(Shadow, each_boundary_of_a_transparent_blocker_takes_its_share) {
         }
         return b.seen();
     };
-    const Mat4d first = translation({0, 1.5, 3}) * scaling(0.2), second = translation({0, 2.25, 4}) * scaling(0.2);
+    const Mat4d first = translation({0, 1.5, 3}) * scaling(0.2),
+                second = translation({0, 2.25, 4}) * scaling(0.2);
     const Mat4d around_the_light = translation({0, 3, 5}) * scaling(0.5);
     Lit b;
     expect_near(seen_through({}), b.ambient_term + b.light_term);

@@ -47,7 +47,7 @@ void expect_sums(const Trace& trace) {
             const RaySpawned& start = next.start();
             if (start.kind == RayKind::shadow) continue;
             const Colour coefficient = start.kind == RayKind::reflected ? ray.find<Reflected>()->coefficient
-                                                                         : ray.find<Refracted>()->coefficient;
+                                                                        : ray.find<Refracted>()->coefficient;
             sum += coefficient * std::get<RayFinished>(next.events.back()).colour;
             ASSERT_EQ(start.depth, ray.start().depth + 1);
             ASSERT_EQ(start.weight, ray.start().weight * coefficient);
@@ -69,9 +69,11 @@ void expect_spans(const Trace& trace, const Workbench& bench) {
         if (node == nullptr) continue;
         const TraceObject& object = trace.objects[std::size_t(node->object)];
         if (std::size_t(node->node) + 1 != object.nodes.size()) continue;
-        const auto drawn = std::find_if(bench.scene.drawn.begin(), bench.scene.drawn.end(), [&](const SceneObject& o) {
-            return object.name == (o.is_compound ? bench.scene.compounds[o.index].name : bench.scene.generics[o.index].name);
-        });
+        const auto drawn =
+            std::find_if(bench.scene.drawn.begin(), bench.scene.drawn.end(), [&](const SceneObject& o) {
+                return object.name == (o.is_compound ? bench.scene.compounds[o.index].name
+                                                     : bench.scene.generics[o.index].name);
+            });
         ASSERT_NE(drawn, bench.scene.drawn.end());
         const Spans<double>& list = lists[std::size_t(drawn - bench.scene.drawn.begin())];
         const auto recorded = spans_after(eye, e);
@@ -80,7 +82,9 @@ void expect_spans(const Trace& trace, const Workbench& bench) {
             ASSERT_EQ(recorded[i].enter.t, list[i].enter.t);
             ASSERT_EQ(recorded[i].exit.t, list[i].exit.t);
             ASSERT_EQ(recorded[i].enter.flipped, list[i].enter.surface.flipped);
-            if (std::isfinite(list[i].exit.t)) { ASSERT_EQ(recorded[i].exit.face, int(list[i].exit.surface.face)); }
+            if (std::isfinite(list[i].exit.t)) {
+                ASSERT_EQ(recorded[i].exit.face, int(list[i].exit.surface.face));
+            }
         }
     }
 }

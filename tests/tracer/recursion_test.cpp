@@ -29,7 +29,8 @@ const NotSpawned* last_refusal(const Trace& trace, RayKind kind) {
     const NotSpawned* found = nullptr;
     for (const TracedRay& ray : trace.rays)
         for (const Event& event : ray.events)
-            if (const auto* refused = std::get_if<NotSpawned>(&event); refused != nullptr && refused->kind == kind)
+            if (const auto* refused = std::get_if<NotSpawned>(&event);
+                refused != nullptr && refused->kind == kind)
                 found = refused;
     return found;
 }
@@ -95,6 +96,8 @@ TEST(Recursion, the_limit_on_rays_ends_it_too) {
     b.scene().limits.max_rays = 2;
     EXPECT_EQ(b.seen(), 1.75);
     EXPECT_EQ(last_refusal(b.trace(), RayKind::reflected)->reason, Reason::ray_limit);
+    b.scene().camera.eye = {0, 0, 0};
+    b.scene().camera.look_at = {0, 0, -1};
     RenderOptions options;
     options.width = options.height = 1;
     const RenderResult result = render(b.open(), options);
@@ -117,7 +120,8 @@ TEST(Recursion, equal_t_goes_to_the_first_in_the_file) {
         const auto red = b.glowing({1, 0, 0}), blue = b.glowing({0, 0, 1});
         b.generic(Cube<double>{}, Mat4d{1}, swapped ? blue : red);
         b.generic(Cube<double>{}, translation({0.5, 0, 0}), swapped ? red : blue);
-        EXPECT_EQ(trace_ray(b.open(), {{0.25, 0, 5}, {0, 0, -1}}).colour, (swapped ? Colour{0, 0, 1} : Colour{1, 0, 0}));
+        EXPECT_EQ(trace_ray(b.open(), {{0.25, 0, 5}, {0, 0, -1}}).colour,
+                  (swapped ? Colour{0, 0, 1} : Colour{1, 0, 0}));
         SceneBuilder balls; // a ball is found by another loop than the cube
         const auto first = balls.glowing({1, 0, 0}), second = balls.glowing({0, 0, 1});
         if (swapped) balls.generic(Cube<double>{}, Mat4d{1}, first);

@@ -43,7 +43,8 @@ TEST(Solid, a_sphere_that_no_matrix_distorts_becomes_a_ball_with_the_same_crossi
             for (const auto end : {&Interval<double>::enter, &Interval<double>::exit}) {
                 const double t = one.items[std::size_t(i)].*end, u = other.items[std::size_t(i)].*end;
                 // The rotation matrix is itself rounded: as much again.
-                ASSERT_LE(std::abs(t - u), 2 * (ball.error_bound(ray, t, 0) + sphere.error_bound(ray, u, 0))) << what;
+                ASSERT_LE(std::abs(t - u), 2 * (ball.error_bound(ray, t, 0) + sphere.error_bound(ray, u, 0)))
+                    << what;
             }
     }
 }
@@ -124,7 +125,8 @@ TEST(Media, neighbours_are_the_boxes_that_overlap) {
             const Vec3d low = random.in_cube(3);
             boxes.push_back({low, low + Vec3d{1.5} + random.in_cube(1)});
             if (random.below(15) == 0) boxes.back() = Box<double>::everything();
-            if (i > 0 && random.below(5) == 0) boxes.back().low.x = boxes[std::size_t(random.below(i))].high.x;
+            if (i > 0 && random.below(5) == 0)
+                boxes.back().low.x = boxes[std::size_t(random.below(i))].high.x;
             boxes.back().high.x = std::max(boxes.back().low.x, boxes.back().high.x);
         }
         const MediaNeighbours media(ids, boxes);
@@ -177,7 +179,8 @@ TEST(Counters, add_up) {
     a += b;
     EXPECT_EQ(a.rays, (std::array<std::uint64_t, 4>{2, 4, 6, 8}));
     EXPECT_EQ(a.tests[2], 10U);
-    EXPECT_EQ(a.objects + a.compounds + a.cut_by_depth + a.cut_by_weight + a.cut_by_ray_limit + a.total_reflections,
+    EXPECT_EQ(a.objects + a.compounds + a.cut_by_depth + a.cut_by_weight + a.cut_by_ray_limit +
+                  a.total_reflections,
               2U * (6 + 7 + 8 + 9 + 10 + 11));
 }
 

@@ -8,7 +8,7 @@
 namespace rayscope::drawing {
 namespace {
 
-constexpr double eye_within = 2.4; // radii of the region: a nearer eye is in the picture
+constexpr double eye_within = 1.8; // radii of the region: a nearer eye is in the picture
 
 constexpr double path_within = 8; // … as is this much of the current ray's path
 
@@ -77,6 +77,28 @@ std::vector<Vec3d> walls(const Scene& scene, const Region& region) {
     return normals;
 }
 
+/// How far apart the rays' ends appear across the direction in which they appear farthest apart: 0 (on a line) to 1.
+double separation(const Vec3d& right, const Vec3d& up, const std::vector<Stretch>& rays) {
+    double weights = 0, xx = 0, xy = 0, yy = 0;
+    Vec3d middle{0};
+    for (const Stretch& ray : rays) {
+        middle += (ray.from + ray.to) * (ray.importance / 2);
+        weights += ray.importance;
+    }
+    if (!(weights > 0)) return 0;
+    middle /= weights;
+    for (const Stretch& ray : rays)
+        for (const Vec3d& end : {ray.from, ray.to}) {
+            const double x = dot(end - middle, right), y = dot(end - middle, up);
+            xx += ray.importance * x * x;
+            xy += ray.importance * x * y;
+            yy += ray.importance * y * y;
+        }
+    // The two eigenvalues of their covariance.
+    const double half = (xx + yy) / 2, apart = std::hypot((xx - yy) / 2, xy);
+    return half > 0 ? std::sqrt(std::max(half - apart, 0.0) / (half + apart)) : 0;
+}
+
 /// How well the rays can be followed from there: their lengths as seen, against lines of sight through walls.
 double score(const Vec3d& back, const Vec3d& up, const std::vector<Stretch>& rays,
              const std::vector<Vec3d>& planes) {
@@ -91,6 +113,7 @@ double score(const Vec3d& back, const Vec3d& up, const std::vector<Stretch>& ray
     for (const Vec3d& normal : planes)
         if (dot(normal, back) < 0.08) result -= dot(normal, up) > 0.7 ? 1 : 0.06;
     const Vec3d right = normalized(cross(up, back));
+    result += 0.4 * separation(right, normalized(cross(back, right)), rays);
     if (!rays.empty() && dot(rays.front().to - rays.front().from, right) > 0)
         result += 0.03; // reads left to right
     return result;
@@ -116,7 +139,7 @@ View framed(const Trace& trace, const Scene& scene, const Region& region, const 
             const double a = step * 10 * std::numbers::pi / 180, e = elevation * std::numbers::pi / 180;
             const Vec3d back =
                 normalized((east * std::cos(a) + north * std::sin(a)) * std::cos(e) + up * std::sin(e));
-            const double s = score(back, up, rays, planes) - std::abs(elevation - 22) * 0.004;
+            const double s = score(back, up, rays, planes) - std::abs(elevation - 22) * 0.003;
             if (s > best_score) {
                 best_score = s;
                 best = back;

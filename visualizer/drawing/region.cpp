@@ -70,10 +70,13 @@ Region region_of(const Trace& trace, const Workbench& bench, const std::vector<I
         box = united(box, bounds);
         region.boxes.push_back(bounds);
     }
-    if (box.low.x > box.high.x) box = around(hits.front().hit->point, travelled > 0 ? travelled / 6 : 1);
+    if (box.low.x > box.high.x) box = around(hits.front().hit->point, travelled > 0 ? travelled / 4 : 1);
     const Box<double> solid = box;
-    for (const auto& [hit, share] : hits)
-        if (length(hit->point - centre_of(solid)) < 1.8 * half_diagonal(solid)) box.include(hit->point);
+    // The heavier a ray, the farther the picture reaches for its hit; the first one's is the picture's beginning.
+    for (const auto& [hit, share] : hits) {
+        const double reach = hit == hits.front().hit ? 6 : 1.8 + 2 * std::clamp(share, 0.0, 1.0);
+        if (length(hit->point - centre_of(solid)) < reach * half_diagonal(solid)) box.include(hit->point);
+    }
     region.centre = centre_of(box);
     region.radius = half_diagonal(box);
     // A grain on a large thing is shown with what it lies on.

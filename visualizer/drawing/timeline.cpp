@@ -15,6 +15,12 @@ std::optional<double> stop_of(const TracedRay& ray) {
     return end.open || !std::isfinite(end.t) ? std::nullopt : std::optional(end.t);
 }
 
+std::string stop_text(const TracedRay& ray, double t) {
+    const char* what =
+        ray.find<BoundaryChosen>() != nullptr ? "hit" : (is_blocked(ray) ? "blocked" : "light");
+    return std::string(what) + " t = " + number(t, 6);
+}
+
 struct Axis {
     Window window;
     double left, width;
@@ -99,8 +105,12 @@ void draw_timeline(Canvas& canvas, const Area& area, const Lanes& lanes, const T
     const TracedRay& traced = trace.rays[std::size_t(ray)];
     const double pad = font, row = font * 1.75;
     const double title_y = area.y + font * 0.95;
+    const std::optional<double> stop = stop_of(traced);
+    const std::string mark = stop ? stop_text(traced, *stop) : std::string{};
+    const double mark_width = text_width(mark, Font::bold, font);
     std::string title = "Inside intervals along ray " + std::to_string(ray);
     if (lanes.hidden > 0) title += "  (" + std::to_string(lanes.hidden) + " more lanes not shown)";
+    title = elided(title, Font::bold, font, area.width - mark_width - 3 * pad);
     canvas.add(Text{{area.x + pad, title_y}, title, font, ink, Font::bold});
     if (lanes.shown.empty()) {
         canvas.add(
@@ -140,26 +150,16 @@ void draw_timeline(Canvas& canvas, const Area& area, const Lanes& lanes, const T
                     ink,
                     Font::bold,
                     Align::centre});
-    if (const auto stop = stop_of(traced); stop && *stop >= axis.window.low && *stop <= axis.window.high) {
-        const double x = axis.at(*stop);
-        const Rgb colour = ray_colour(traced);
-        canvas.add(Stroke{{{x, top - font * 0.5}, {x, bottom + 3}}, colour, 2.4});
-        const bool shadow = traced.start().kind == RayKind::shadow;
-        const char* what =
-            traced.find<BoundaryChosen>() != nullptr ? "hit" : (is_blocked(traced) ? "blocked" : "light");
-        Text mark{{x, title_y}, std::string(what) + " t = " + number(*stop, 6),
-                  font,         ray_text_colour(traced),
-                  Font::bold,   Align::centre};
-        const double half = text_width(mark.text, mark.font, mark.size) / 2;
-        const double free_from = area.x + pad + text_width(title, Font::bold, font) + font;
-        mark.at.x =
-            std::clamp(x, std::min(free_from + half, area.right() - half - pad), area.right() - half - pad);
-        if (shadow || std::abs(mark.at.x - x) > half)
-            canvas.add(Stroke{{{std::clamp(x, mark.at.x - half, mark.at.x + half), title_y + font * 0.7},
-                               {x, top - font * 0.5}},
-                              colour,
-                              1});
-        canvas.add(mark);
+    if (!stop || *stop < axis.window.low || *stop > axis.window.high) return;
+    const double x = axis.at(*stop), half = mark_width / 2;
+    const Rgb colour = ray_colour(traced);
+    canvas.add(Stroke{{{x, top - font * 0.5}, {x, bottom + 3}}, colour, 2.4});
+    const double free_from = area.x + 2 * pad + text_width(title, Font::bold, font);
+    const double middle = std::max(std::min(x, area.right() - half - pad), free_from + half);
+    canvas.add(Text{{middle, title_y}, mark, font, ray_text_colour(traced), Font::bold, Align::centre});
+    if (std::abs(middle - x) > half) {
+        const double nearest = std::clamp(x, middle - half, middle + half);
+        canvas.add(Stroke{{{nearest, title_y + font * 0.7}, {x, top - font * 0.5}}, colour, 1});
     }
 }
 
