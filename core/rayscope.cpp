@@ -66,14 +66,25 @@ Trace trace_ray(const Workbench& bench, const Ray<double>& ray) {
     return traced(bench, ray, std::move(source));
 }
 
+WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std::size_t object) {
+    const RaySpawned& start = trace.rays.at(ray).start();
+    const SceneObject& drawn = bench.scene.drawn.at(object);
+    const std::string name = object_title(bench.scene, drawn);
+    const bool starts_on = start.left_object != none && trace.objects[std::size_t(start.left_object)].name == name;
+    const auto* hit = trace.rays[ray].find<BoundaryChosen>();
+    return why_not(bench.world, std::uint32_t(object), {start.origin, start.direction}, start.reach,
+                   hit != nullptr ? hit->boundary.t : infinity<double>, starts_on);
+}
+
 std::vector<Spans<double>> spans(const Workbench& bench, const Ray<double>& ray) {
     std::vector<Spans<double>> result;
     const double scale = ordinary_scale(ray.direction);
     const Ray<double> scaled{ray.origin, ray.direction * scale};
+    const LeavingSurface<double>* const nowhere = nullptr;
     Work<double> work;
     for (std::uint32_t id = 0; id < bench.world.objects.size(); ++id) {
         Spans<double>& list = result.emplace_back();
-        const auto found = crossings(bench.world, id, scaled, nullptr, work);
+        const auto found = crossings(bench.world, id, scaled, nowhere, work);
         const bool volume = bench.world.objects[id].has_volume;
         const auto unscaled = [&](Crossing<double> crossing) {
             crossing.t *= scale;

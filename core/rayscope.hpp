@@ -15,6 +15,7 @@
 #include "core/trace/trace.hpp"
 #include "core/trace/trace_json.hpp"
 #include "core/tracer/render.hpp"
+#include "core/tracer/why_not.hpp"
 
 #include <filesystem>
 
@@ -42,6 +43,9 @@ struct Workbench {
 
 /// A ray given by hand. Its direction need not be unit.
 [[nodiscard]] Trace trace_ray(const Workbench& bench, const Ray<double>& ray);
+
+/// Why ray number `ray` of a trace of this workbench did not end on a drawn object (an index into Scene::drawn).
+[[nodiscard]] WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std::size_t object);
 
 /// The inside list of each object on a ray's whole line.
 [[nodiscard]] std::vector<Spans<double>> spans(const Workbench& bench, const Ray<double>& ray);

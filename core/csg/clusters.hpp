@@ -18,23 +18,22 @@ template <Scalar T> struct Cluster {
 /// even one vanishes, thin pieces and thin gaps alike. It acts on the root's list alone; dropping thin pieces at each
 /// node would depend on how the tree is grouped.
 /// @param list ascending, entering and leaving in turn, not empty
-/// @param error_bound called as error_bound(crossing): a bound on |t − exact t|; asked only where neighbours are close
+/// @param error_bound called as error_bound(crossing): a bound on |t − exact t|, 0 for an infinite end
 /// @param merged called with each Cluster of more than one crossing
 /// @return the new size of the list
 template <Scalar T, typename ErrorBound, typename Merged>
 [[nodiscard]] std::size_t merge_clusters(std::span<Crossing<T>> list, const ErrorBound& error_bound,
                                          const Merged& merged) {
-    // Far above any bound of a matrix that can be inverted well, and cheap.
-    constexpr T close = T(1) / T(256);
-    const auto coincide = [&](const Crossing<T>& a, const Crossing<T>& b) {
-        const T gap = b.t - a.t;
-        if (!(gap <= close * (T(1) + magnitude(a.t)))) return false;
-        return gap <= error_bound(a) + error_bound(b);
-    };
     std::size_t kept = 0;
+    T bound = error_bound(list.front());
     for (std::size_t first = 0; first < list.size();) {
         std::size_t last = first;
-        while (last + 1 < list.size() && coincide(list[last], list[last + 1])) ++last;
+        for (; last + 1 < list.size(); ++last) {
+            const T next_bound = error_bound(list[last + 1]);
+            const bool coincide = list[last + 1].t - list[last].t <= bound + next_bound;
+            bound = next_bound;
+            if (!coincide) break;
+        }
         const std::size_t count = last - first + 1;
         if (count > 1) merged(Cluster<T>{int(count), list[first].t, list[last].t, count % 2 == 1});
         if (count % 2 == 1) {

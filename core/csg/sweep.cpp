@@ -23,23 +23,28 @@ template <Scalar T> void SpanStack<T>::combine(Operation operation) {
 template <Scalar T> void SpanStack<T>::sweep(Operation operation, std::size_t a, std::size_t b) {
     const std::size_t end = crossings_.size();
     std::size_t i = a, j = b;
-    bool in_a = false, in_b = false, inside = false;
-    while (i < b || j < end) {
+    // Before B begins, A ∪ B and A − B are A, and A ∩ B is nothing. What is A's stays where it lies: a chain that adds
+    // part after part would otherwise copy all parts before at every step.
+    while (i < b && crossings_[i].t < crossings_[b].t) ++i;
+    const std::size_t untouched = operation == Operation::intersection ? a : i;
+    bool in_a = i > a && crossings_[i - 1].entering;
+    bool in_b = false;
+    bool inside = holds(operation, in_a, in_b);
+    while (j < end || (i < b && operation != Operation::intersection)) {
         const bool take_a = i < b && (j == end || crossings_[i].t <= crossings_[j].t);
         const bool take_b = j < end && (i == b || crossings_[j].t <= crossings_[i].t);
-        // A coincident face belongs to the left operand.
+        // Where both have a crossing and the result changes, both run its way: the face is the left operand's.
         Crossing<T> boundary = take_a ? crossings_[i] : crossings_[j];
         if (take_a) in_a = crossings_[i++].entering;
         if (take_b) in_b = crossings_[j++].entering;
         if (holds(operation, in_a, in_b) == inside) continue;
         inside = !inside;
-        if (!take_a && operation == Operation::difference)
-            boundary.surface.flipped = !boundary.surface.flipped;
+        if (!take_a && operation == Operation::difference) boundary.surface.flipped = !boundary.surface.flipped;
         boundary.entering = inside;
         crossings_.push_back(boundary);
     }
     const auto at = [this](std::size_t index) { return crossings_.begin() + std::ptrdiff_t(index); };
-    crossings_.erase(std::move(at(end), crossings_.end(), at(a)), crossings_.end());
+    crossings_.erase(std::move(at(end), crossings_.end(), at(untouched)), crossings_.end());
 }
 
 template <Scalar T> void SpanStack<T>::complement() {

@@ -41,8 +41,8 @@ private:
     case Operation::set_union: return in_a || in_b;
     case Operation::intersection: return in_a && in_b;
     case Operation::difference: return in_a && !in_b;
-    case Operation::complement: return !in_a;
-    case Operation::leaf: break;
+    case Operation::complement:
+    case Operation::leaf: break; // not of two operands
     }
     return in_a;
 }

@@ -21,7 +21,7 @@ void record_node(std::uint32_t object, std::size_t node, Crossings list, bool vo
 }
 
 bool line_misses(const World<double>& world, const Compound& compound, const Ray<double>& ray,
-                 const LeavingSurface* leaving) {
+                 const LeavingSurface<double>* leaving) {
     for (const CompoundNode& node : compound.nodes)
         if (node.operation == Operation::leaf &&
             world.solids[node.solid]
@@ -32,7 +32,7 @@ bool line_misses(const World<double>& world, const Compound& compound, const Ray
 }
 
 void record_compound(const World<double>& world, std::uint32_t object, const Ray<double>& ray,
-                     const LeavingSurface* leaving, TraceRecorder& recorder) {
+                     const LeavingSurface<double>* leaving, TraceRecorder& recorder) {
     const Compound& compound = world.compounds[world.objects[object].index];
     if (line_misses(world, compound, ray, leaving)) return;
     Work<double> work;
@@ -60,14 +60,14 @@ void record_compound(const World<double>& world, std::uint32_t object, const Ray
 } // namespace
 
 void record_object(const World<double>& world, std::uint32_t object, const Ray<double>& ray,
-                   const Range<double>& range, const LeavingSurface* leaving, TraceRecorder& recorder) {
+                   const Range<double>& range, const LeavingSurface<double>* leaving, TraceRecorder& recorder) {
     Work<double> work; // its counts are not the tracer's
     const Crossings list = crossings(world, object, ray, leaving, work);
     if (world.objects[object].is_compound)
         record_compound(world, object, ray, leaving, recorder);
     else if (!list.empty())
         record_node(object, 0, list, world.objects[object].has_volume, recorder);
-    if (const auto* first = first_crossing(world, ray, list, range, leaving))
+    if (const auto first = first_crossing(world, ray, list, range, leaving))
         recorder.record(ObjectAccepted{Id(object), first->t});
 }
 

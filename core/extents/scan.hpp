@@ -5,7 +5,6 @@
 #include "core/extents/record_object.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace rayscope {
 
@@ -13,9 +12,9 @@ template <Scalar T> class Scan {
 public:
     explicit Scan(const World<T>& world);
 
-    /// The nearest crossing with t in the range.
+    /// The nearest crossing with t in the range, with those of other objects that may coincide with it.
     template <typename Recorder>
-    [[nodiscard]] std::optional<Hit<T>> closest(const Ray<T>& ray, const Range<T>& range,
+    [[nodiscard]] Nearest<T> closest(const Ray<T>& ray, const Range<T>& range,
                                                 const Leaving<T>& leaving, Work<T>& work,
                                                 Recorder& recorder) const;
 
@@ -45,10 +44,8 @@ template <typename Test>
 void Scan<T>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<T>& work,
                              const Test& test) const {
     // What the ray leaves starts with a crossing at t = 0 that the blocks know nothing of.
-    for (int i = 0; i < leaving.count; ++i) {
-        const LeavingSurface& surface = leaving.items[std::size_t(i)];
+    for (const LeavingSurface<T>& surface : leaving)
         if (test(surface.object, &surface)) return;
-    }
     const auto untested = [&](std::uint32_t object) { return leaving.of(object) == nullptr; };
     bool done = false;
     std::size_t met = 0;
@@ -64,16 +61,13 @@ void Scan<T>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<
 
 template <Scalar T>
 template <typename Recorder>
-std::optional<Hit<T>> Scan<T>::closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
-                                       Work<T>& work, Recorder& recorder) const {
-    std::optional<Hit<T>> nearest;
-    each_candidate(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface* start) {
+Nearest<T> Scan<T>::closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving, Work<T>& work,
+                            Recorder& recorder) const {
+    Nearest<T> nearest(ray);
+    each_candidate(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray, range, start, recorder);
-        const auto list = crossings(world_, object, ray, start, work);
-        if (const Crossing<T>* first = first_crossing(world_, ray, list, range, start)) {
-            const Hit<T> hit{first->t, object, first->surface, first->entering};
-            if (!nearest || hit.precedes(*nearest)) nearest = hit;
-        }
+        if (const auto first = first_of_object(world_, object, ray, range, start, work))
+            nearest.offer({first->t, object, first->surface, first->entering});
         return false;
     });
     return nearest;
@@ -85,14 +79,16 @@ bool Scan<T>::blocked(const Ray<T>& ray, const Range<T>& range, const Leaving<T>
                       Recorder& recorder) const {
     bool found = false;
     work.blockers.clear();
-    each_candidate(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface* start) {
+    each_candidate(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray, range, start, recorder);
+        if (!world_.material_of(object).transmits())
+            return found = first_of_object(world_, object, ray, range, start, work).has_value();
         const auto list = crossings(world_, object, ray, start, work);
-        const Crossing<T>* first = first_crossing(world_, ray, list, range, start);
-        if (first == nullptr) return false;
-        if (!world_.material_of(object).transmits()) return found = true;
-        for (const Crossing<T>* c = first; c != list.data() + list.size() && range.contains(c->t); ++c)
-            work.blockers.push_back({c->t, object});
+        if (const auto first = first_crossing(world_, ray, list, range, start)) {
+            work.blockers.push_back({first->t, object});
+            for (const Crossing<T>& c : list)
+                if (c.t > first->t && range.contains(c.t)) work.blockers.push_back({c.t, object});
+        }
         return false;
     });
     if (found) return true;

@@ -44,13 +44,18 @@ fs::path target_of(const fs::path& path) {
     return target;
 }
 
+/// A file name beside `target` that does not exist. Without the target's own name: that may be as long as names can be.
+fs::path fresh_name(const fs::path& target) {
+    static std::atomic<unsigned> counter{0};
+    return target.parent_path() / fmt::format(".rayscope-{}-{}.part", getpid(), counter.fetch_add(1));
+}
+
+constexpr int attempts = 100;
+
 /// A new, empty file beside `target`, with the permissions that the user's files have.
 fs::path create_beside(const fs::path& target, const fs::path& asked_for) {
-    static std::atomic<unsigned> counter{0};
-    for (int attempt = 0; attempt < 100; ++attempt) {
-        // The name of the target is left out: it may be as long as names can be.
-        const fs::path name =
-            target.parent_path() / fmt::format(".rayscope-{}-{}.part", getpid(), counter.fetch_add(1));
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        const fs::path name = fresh_name(target);
         const int file = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
         if (file >= 0) {
             ::close(file);
@@ -61,17 +66,42 @@ fs::path create_beside(const fs::path& target, const fs::path& asked_for) {
     fail(asked_for, "its folder is full of unfinished files (.rayscope-*.part)");
 }
 
+/// The same without a name, as a descriptor; −1 where the file system has no such files.
+int create_nameless(const fs::path& target) {
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+fs::path path_of(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
 } // namespace
 
-AtomicFile::AtomicFile(const fs::path& path)
-    : path_(target_of(path)), temporary_(create_beside(path_, path)) {}
+AtomicFile::AtomicFile(const fs::path& path) : path_(target_of(path)), nameless_(create_nameless(path_)) {
+    if (nameless_ >= 0 && access(path_of(nameless_).c_str(), W_OK) != 0) { // no /proc
+        ::close(nameless_);
+        nameless_ = -1;
+    }
+    temporary_ = nameless_ >= 0 ? path_of(nameless_) : create_beside(path_, path);
+}
 
 AtomicFile::~AtomicFile() {
     std::error_code ignored;
-    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+    if (nameless_ >= 0) ::close(nameless_);
+    else if (!temporary_.empty()) fs::remove(temporary_, ignored);
 }
 
 void AtomicFile::commit() {
+    if (nameless_ >= 0) { // a name first, since a link can't replace what is there
+        fs::path name = fresh_name(path_);
+        int attempt = 0;
+        while (::linkat(AT_FDCWD, temporary_.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+            if (errno != EEXIST || ++attempt == attempts) fail(path_, std::strerror(errno));
+            name = fresh_name(path_);
+        }
+        ::close(nameless_);
+        nameless_ = -1;
+        temporary_ = name;
+    }
     std::error_code error;
     fs::rename(temporary_, path_, error);
     if (error) fail(path_, error.message());

@@ -8,6 +8,7 @@ namespace rayscope {
 
 /// Its content is written to `temporary()`, a new file in the same folder, and takes the name `path` on commit: a
 /// reader sees the old file or the whole new one. Without a commit the temporary file is removed.
+/// Where the file system can, the new file has no name until then, and a program that is killed leaves nothing.
 /// A symbolic link stays; the file that it points to is replaced.
 class AtomicFile {
 public:
@@ -24,6 +25,7 @@ public:
 
 private:
     std::filesystem::path path_, temporary_;
+    int nameless_ = -1; // the open temporary file, if it has no name
 };
 
 /// Throws std::runtime_error, which names the file and says what is wrong, if a file `path` can't be written: the

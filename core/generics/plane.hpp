@@ -13,7 +13,7 @@ template <Scalar T> struct Plane {
 
     [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const {
         const T o = ray.origin.z, d = ray.direction.z;
-        if (d == T(0)) // parallel: wholly inside or wholly outside; a ray along the boundary runs outside
+        if (d == T(0)) // parallel: wholly inside or wholly outside; the boundary itself is inside
             return Intervals<T>(o <= T(0) && leaving != 0 ? Interval<T>{} : Interval<T>::nothing());
         const T t = leaving == 0 ? T(0) : -o / d;
         return Intervals<T>(d > T(0) ? Interval<T>{-infinity<T>, t, 0, 0}

@@ -4,6 +4,7 @@
 #include "core/generics/spans.hpp"
 #include "core/math/box.hpp"
 #include "core/math/ray.hpp"
+#include "core/math/roots.hpp"
 
 namespace rayscope {
 
@@ -30,12 +31,8 @@ template <Scalar T> struct Sphere {
         if (!(chord.squared > T(0))) return {};
         const T half = std::sqrt(chord.squared / dd);
         Interval<T> inside{chord.middle - half, chord.middle + half, 0, 0};
-        // Near the surface one of the two cancels; it follows from the product of the roots, C / |d|².
         const T C = std::fma(o.x, o.x, std::fma(o.y, o.y, std::fma(o.z, o.z, -radius * radius)));
-        if (magnitude(inside.enter) < half / T(2))
-            inside.enter = C / (dd * inside.exit);
-        else if (magnitude(inside.exit) < half / T(2))
-            inside.exit = C / (dd * inside.enter);
+        mend_small_root(inside.enter, inside.exit, half, dd, C);
         return Intervals<T>(inside);
     }
 

@@ -70,7 +70,8 @@ template <Scalar T> struct Torus {
     }
     [[nodiscard]] T value(const Vec3<T>& p) const {
         const T rho = std::sqrt(std::fma(p.x, p.x, p.y * p.y));
-        return std::hypot(from_core(p.x, p.y, rho), p.z) - minor;
+        const T w = from_core(p.x, p.y, rho);
+        return std::sqrt(std::fma(w, w, p.z * p.z)) - minor;
     }
     /// At most the larger of the two principal curvatures, times |d|².
     [[nodiscard]] T curvature(const Vec3<T>& /*p*/, const Vec3<T>& d, int /*face*/) const {

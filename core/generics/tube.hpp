@@ -31,10 +31,7 @@ template <Scalar T>
     const T middle = rough - residual;
     Interval<T> inside{middle - half, middle + half, face, face};
     const T C = std::fma(ox, ox, std::fma(oy, oy, T(-1)));
-    if (magnitude(inside.enter) < half / T(2))
-        inside.enter = C / (A * inside.exit);
-    else if (magnitude(inside.exit) < half / T(2))
-        inside.exit = C / (A * inside.enter);
+    mend_small_root(inside.enter, inside.exit, half, A, C);
     return inside;
 }
 
@@ -48,7 +45,7 @@ template <Scalar T> struct ConeWall {
     /// The t with x² + y² < w², on the nappe w > 0; `within` is the slab, where that nappe is the only one.
     /// With (x, y, w) and their directions, A t² + 2 B t + C < 0 for the form x² + y² − w²; taken about the point
     /// of the line closest to the apex, where nothing large is left to cancel. The discriminant is a sum of three
-    /// squared minors (Lagrange's identity for the form), each exact to 2 ulp: B² − AC would lose everything for a
+    /// squared minors (Lagrange's identity for the form), each within 2 ulp: B² − AC would lose everything for a
     /// ray along a generator.
     [[nodiscard]] Interval<T> inside(const Ray<T>& ray, const Interval<T>& within, int face,
                                      bool leaving) const {

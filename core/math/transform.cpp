@@ -58,7 +58,7 @@ bool is_invertible(const Mat4d& matrix) {
 double similarity_scale(const Mat4d& matrix) {
     const auto column = [&](int j) { return Vec3d{matrix[j][0], matrix[j][1], matrix[j][2]}; };
     const double scale = length(column(0));
-    const double slack = 8 * epsilon<double> * scale; // a rotation matrix is itself rounded
+    const double slack = 2 * epsilon<double> * scale; // a rotation matrix is itself rounded
     for (int j = 1; j < 3; ++j)
         if (std::abs(length(column(j)) - scale) > slack) return 0;
     for (int j = 0; j < 3; ++j)

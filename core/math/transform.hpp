@@ -18,6 +18,7 @@ public:
     [[nodiscard]] Ray<T> to_object(const Ray<T>& ray) const {
         return {apply(ray.origin - translation_), apply(ray.direction)};
     }
+    [[nodiscard]] Vec3<T> vector_to_object(const Vec3<T>& v) const { return apply(v); }
     [[nodiscard]] Vec3<T> point_to_object(const Vec3<T>& point) const { return apply(point - translation_); }
 
     /// Unit world normal of an object-space normal of any length: M⁻ᵀ n, normalized.

@@ -97,30 +97,30 @@ private:
             required_material(compound.material, "compound '" + compound.name + "'", compound.place);
         Compound result;
         std::vector<Box<double>> boxes;
-        for (const ExpandedNode& node : expand(scene_, index)) {
+        const std::vector<ExpandedNode> tree = expand(scene_, index, max_nodes - nodes_);
+        nodes_ += tree.size();
+        for (const ExpandedNode& node : tree) {
             result.nodes.push_back(
                 {node.operation, node.left, node.right, std::uint32_t(world_.solids.size())});
             boxes.push_back(node.operation == Operation::leaf
-                                ? add_leaf(compound, scene_.generics[node.generic], node.matrix, material)
+                                ? add_leaf(compound, node, material)
                                 : box_of(node, boxes));
         }
         result.program = compile(result.nodes);
-        for (const CompoundNode& node : result.nodes)
-            if (node.operation == Operation::leaf &&
-                world_.solids[node.solid].material != world_.solids[result.nodes.front().solid].material)
-                result.mixed_materials = true;
         world_.objects.push_back(
             {true, std::uint32_t(world_.compounds.size()), material, compound.priority, true, boxes.back()});
         world_.compounds.push_back(std::move(result));
     }
 
-    Box<double> add_leaf(const SceneCompound& compound, const SceneGeneric& generic, const Mat4d& matrix,
-                         std::uint32_t material) {
-        if (!is_invertible(matrix))
+    // An operand's wall looks like its generic says, else like the innermost compound around it that says anything.
+    Box<double> add_leaf(const SceneCompound& compound, const ExpandedNode& leaf, std::uint32_t material) {
+        const SceneGeneric& generic = scene_.generics[leaf.generic];
+        if (!is_invertible(leaf.matrix))
             throw InputError(scene_.file, compound.place,
                              "the matrices of compound '" + compound.name + "' and of its operand '" +
                                  generic.name + "' multiply to one that can't be inverted");
-        return add_solid(generic, matrix, generic.material ? std::uint32_t(*generic.material) : material);
+        if (leaf.material) material = std::uint32_t(*leaf.material);
+        return add_solid(generic, leaf.matrix, material);
     }
 
     static Box<double> box_of(const ExpandedNode& node, const std::vector<Box<double>>& boxes) {
@@ -146,6 +146,7 @@ private:
 
     const Scene& scene_;
     World<double> world_;
+    std::size_t nodes_ = 0; // of all compounds so far
 };
 
 } // namespace

@@ -7,27 +7,28 @@ namespace {
 struct Visit {
     std::size_t compound, node;
     Mat4d matrix; // of the space that the compound stands in
+    std::optional<std::size_t> material = {}; // of the innermost compound that has one
     int operands_done = 0;
 };
 
 } // namespace
 
-std::vector<ExpandedNode> expand(const Scene& scene, std::size_t compound) {
+std::vector<ExpandedNode> expand(const Scene& scene, std::size_t compound, std::size_t limit) {
     std::vector<ExpandedNode> tree;
     std::vector<std::uint32_t> roots; // of the finished operands that wait for their operation
     std::vector<Visit> open;
-    const auto enter = [&](std::size_t which, const Mat4d& outer) {
+    const auto enter = [&](std::size_t which, const Mat4d& outer, std::optional<std::size_t> material) {
         const SceneCompound& c = scene.compounds[which];
-        open.push_back({which, c.nodes.size() - 1, outer * c.matrix});
+        open.push_back({which, c.nodes.size() - 1, outer * c.matrix, c.material ? c.material : material});
     };
-    enter(compound, Mat4d{1});
+    enter(compound, Mat4d{1}, std::nullopt);
     while (!open.empty()) {
         Visit& visit = open.back();
         const SceneNode& node = scene.compounds[visit.compound].nodes[visit.node];
         if (node.operation == Operation::leaf && node.is_compound) { // stands for the other compound's root
-            const Mat4d matrix = visit.matrix;
+            const Visit outer = visit;
             open.pop_back();
-            enter(node.operand, matrix);
+            enter(node.operand, outer.matrix, outer.material);
             continue;
         }
         const int operands =
@@ -35,14 +36,19 @@ std::vector<ExpandedNode> expand(const Scene& scene, std::size_t compound) {
         if (visit.operands_done < operands) {
             const std::size_t next = visit.operands_done == 0 ? node.left : node.right;
             ++visit.operands_done;
-            const Visit operand{visit.compound, next, visit.matrix};
+            const Visit operand{visit.compound, next, visit.matrix, visit.material};
             open.push_back(operand);
             continue;
         }
-        ExpandedNode done{node.operation, 0, 0, 0, Mat4d{1}, visit.compound, visit.node};
+        ExpandedNode done;
+        done.operation = node.operation;
+        done.compound = visit.compound;
+        done.node = visit.node;
         if (operands == 0) {
             done.generic = node.operand;
-            done.matrix = visit.matrix * scene.generics[node.operand].matrix;
+            const SceneGeneric& generic = scene.generics[node.operand];
+            done.matrix = visit.matrix * generic.matrix;
+            done.material = generic.material ? generic.material : visit.material;
         }
         if (operands == 2) {
             done.right = roots.back();
@@ -52,11 +58,11 @@ std::vector<ExpandedNode> expand(const Scene& scene, std::size_t compound) {
             done.left = roots.back();
             roots.pop_back();
         }
-        if (tree.size() == max_expanded_nodes)
+        if (tree.size() == limit)
             throw InputError(scene.file, scene.compounds[compound].place,
-                             "compound '" + scene.compounds[compound].name + "' has more than " +
-                                 std::to_string(max_expanded_nodes) +
-                                 " nodes once its sub-expressions are written out");
+                             "with compound '" + scene.compounds[compound].name +
+                                 "' written out, the scene's compounds have more than " +
+                                 std::to_string(max_nodes) + " nodes");
         roots.push_back(std::uint32_t(tree.size()));
         tree.push_back(done);
         open.pop_back();

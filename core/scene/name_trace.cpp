@@ -16,12 +16,6 @@ const char* symbol(Operation operation) {
     }
 }
 
-std::string generic_title(const Scene& scene, std::size_t index) {
-    const SceneGeneric& generic = scene.generics[index];
-    if (!generic.name.empty()) return generic.name;
-    return std::string(generic_name(generic.shape)) + " #" + std::to_string(index);
-}
-
 // Expressions longer than this are cut: in a chain of 10⁵ operands each node would repeat all before it.
 constexpr std::size_t longest_expression = 72;
 
@@ -84,19 +78,15 @@ private:
         const auto [at, fresh] = media_.try_emplace(world_id, Id(trace_.media.size()));
         if (fresh) {
             const SceneObject& drawn = scene_.drawn[std::size_t(world_id)];
-            trace_.media.push_back({title(drawn), world_.material_of(std::uint32_t(world_id)).speed});
+            trace_.media.push_back({object_title(scene_, drawn), world_.material_of(std::uint32_t(world_id)).speed});
         }
         return at->second;
-    }
-
-    std::string title(const SceneObject& drawn) const {
-        return drawn.is_compound ? scene_.compounds[drawn.index].name : generic_title(scene_, drawn.index);
     }
 
     void describe(std::size_t world_id, TraceObject& result) {
         const Object& object = world_.objects[world_id];
         const SceneObject& drawn = scene_.drawn[world_id];
-        result.name = title(drawn);
+        result.name = object_title(scene_, drawn);
         result.material = scene_.materials[object.material].name;
         if (!drawn.is_compound) {
             result.nodes.push_back(leaf(drawn.index, object.index));
@@ -131,12 +121,12 @@ private:
         const auto text = [&](Id operand) {
             return operand_text(nodes[std::size_t(operand)], named[std::size_t(operand)]);
         };
-        if (node.operation == Operation::complement) return "¬" + text(node.left);
-        const std::string left = text(node.left), right = text(node.right);
-        if (left.size() + right.size() <= longest_expression) return left + symbol(node.operation) + right;
         const auto shortened = [](const std::string& s) {
             return s.size() <= longest_expression / 2 ? s : std::string("(…)");
         };
+        if (node.operation == Operation::complement) return "¬" + shortened(text(node.left));
+        const std::string left = text(node.left), right = text(node.right);
+        if (left.size() + right.size() <= longest_expression) return left + symbol(node.operation) + right;
         return shortened(left) + symbol(node.operation) + shortened(right);
     }
 
@@ -147,6 +137,16 @@ private:
 };
 
 } // namespace
+
+std::string generic_title(const Scene& scene, std::size_t index) {
+    const SceneGeneric& generic = scene.generics[index];
+    if (!generic.name.empty()) return generic.name;
+    return std::string(generic_name(generic.shape)) + " #" + std::to_string(index);
+}
+
+std::string object_title(const Scene& scene, const SceneObject& drawn) {
+    return drawn.is_compound ? scene.compounds[drawn.index].name : generic_title(scene, drawn.index);
+}
 
 void name_trace(Trace& trace, const Scene& scene, const World<double>& world) {
     Namer namer(trace, scene, world);

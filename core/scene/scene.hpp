@@ -78,7 +78,7 @@ struct Scene {
     Camera camera;
     Colour background{0};
     Colour ambient{1};
-    bool shadows = true;
+    bool shadows = true;      ///< of lights that say nothing else
     bool notes_media = false; ///< the notes' rule: always air outside
     double medium_speed = 1;  ///< of what fills the space between the solids
     Limits limits;

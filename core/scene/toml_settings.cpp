@@ -17,11 +17,12 @@ void read_resolution(const TomlValue& value, Camera& camera) {
             fmt::format("'resolution': {} × {} are more than 10^8 pixels", camera.width, camera.height));
 }
 
-SceneLight read_light(const TomlEntry& entry) {
+SceneLight read_light(const TomlEntry& entry, bool shadows_by_default) {
     const TomlTable table = entry.value.table();
     table.allow_only("a light", {"position", "direction", "colour", "shadows"});
     table.allow_one("position", "direction");
     SceneLight light;
+    light.shadows = shadows_by_default;
     light.name = entry.key;
     light.place = entry.place;
     if (const auto direction = table.find("direction")) {
@@ -89,7 +90,7 @@ void read_camera(const TomlTable& root, Scene& scene) {
 void read_lights(const TomlTable& root, Scene& scene) {
     if (const auto section = root.find("lights"))
         for (const TomlEntry& entry : section->table().named_entries("a light"))
-            scene.lights.push_back(read_light(entry));
+            scene.lights.push_back(read_light(entry, scene.shadows));
 }
 
 void read_settings(const TomlTable& root, Scene& scene) {

@@ -158,8 +158,13 @@ struct RayFinished {
     int rejected = 0; ///< … of which without a crossing that counts
 };
 
+/// The cap on events was met: from here on nothing more is kept, in this ray or in any other.
+struct Truncated {
+    int kept = 0; ///< events in the whole trace
+};
+
 using Event = std::variant<RaySpawned, ObjectAccepted, NodeEvaluated, SpanFound, ClusterMerged,
                            BoundaryChosen, Missed, AmbientLit, LightLit, LocalLightSkipped, BlockerPassed,
-                           Reflected, Refracted, TotallyReflected, NotSpawned, RayFinished>;
+                           Reflected, Refracted, TotallyReflected, NotSpawned, RayFinished, Truncated>;
 
 } // namespace rayscope

@@ -10,7 +10,8 @@ void TraceRecorder::record(const Event& event) {
     const int current = open_.empty() ? none : open_.back();
     // Rays that were opened are closed properly even when no more is kept.
     const bool keep = finished ? current != none : !full() && (spawned || current != none);
-    if (!keep) ++dropped_;
+    if (!keep && dropped_++ == 0 && current != none)
+        rays_[std::size_t(current)].events.push_back(Truncated{int(kept_)});
     if (spawned) {
         open_.push_back(keep ? int(rays_.size()) : none);
         if (!keep) return;

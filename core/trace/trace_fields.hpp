@@ -175,6 +175,11 @@ template <> struct Fields<RayFinished> {
                    Field{"tested", &RayFinished::tested}, Field{"rejected", &RayFinished::rejected}};
 };
 
+template <> struct Fields<Truncated> {
+    static constexpr auto name = "truncated";
+    static constexpr auto list = std::tuple{Field{"kept", &Truncated::kept}};
+};
+
 template <> struct Fields<TraceSource> {
     static constexpr auto list =
         std::tuple{Field{"scene", &TraceSource::scene},   Field{"by_hand", &TraceSource::by_hand},

@@ -14,8 +14,8 @@ template <Scalar T> struct Interaction {
     T error_bound;    ///< of t
     MediaPair media;
     T speed_from = T(1), speed_to = T(1);
-    Leaving<T> back;          ///< what a ray that stays on this side leaves
-    Leaving<T> through;       ///< what a ray that goes on leaves
+    Leaving<T> back;    ///< what a ray that stays on this side leaves
+    Leaving<T> through; ///< what a ray that goes on leaves
     const Material* material; ///< reflection, transmission, speed: the object's
     const Material* wall;     ///< ambient, diffuse, specular: the operand's own, where it has one
 
@@ -28,8 +28,7 @@ template <Scalar T>
 [[nodiscard]] Vec3<T> shading_normal(const World<T>& world, const Ray<T>& ray, const Hit<T>& hit) {
     const Solid<T>& solid = world.solids[hit.surface.solid];
     Vec3<T> n = solid.normal(ray, hit.t, hit.surface.face);
-    if (const auto* polygon = std::get_if<Polygon<T>>(&solid.shape);
-        polygon != nullptr && polygon->smooth()) {
+    if (const auto* polygon = std::get_if<Polygon<T>>(&solid.shape); polygon != nullptr && polygon->smooth()) {
         const Vec3<T> smooth = solid.transform.normal_to_world(
             polygon->shading_normal(solid.transform.to_object(ray).at(hit.t)));
         // Where the smooth normal would turn away from the ray it can't be used: the eye sees the front.
@@ -38,39 +37,73 @@ template <Scalar T>
     return hit.surface.flipped ? -n : n;
 }
 
+/// The hits that coincide with the nearest one: those within the sum of their error bounds, itself included. A place
+/// where several objects meet belongs to the one that is first in the file, which is returned; who of them rounding
+/// put first is not asked.
 template <Scalar T>
-[[nodiscard]] Interaction<T> interact(const World<T>& world, const Ray<T>& ray, const Hit<T>& hit,
-                                      const Leaving<T>& leaving, std::int64_t medium, Work<T>& work) {
+[[nodiscard]] Hit<T> first_in_file(const World<T>& world, const Ray<T>& ray, const Nearest<T>& nearest,
+                                   std::vector<Hit<T>>& coincident) {
+    const auto bound = [&](const Hit<T>& hit) {
+        return error_bound(world, ray, Crossing<T>{hit.t, hit.surface, hit.entering});
+    };
+    coincident.clear();
+    Hit<T> first = *nearest;
+    if (nearest.all().size() == 1) return first;
+    const T own = bound(*nearest);
+    for (const Hit<T>& hit : nearest.all()) {
+        if (hit.t - (*nearest).t > own + bound(hit)) continue;
+        coincident.push_back(hit);
+        if (hit.object < first.object) first = hit;
+    }
+    return first;
+}
+
+/// Which surfaces the rays that go on from a hit start on.
+template <Scalar T>
+void leave_from(Interaction<T>& at, const World<T>& world, const Leaving<T>& before,
+                std::span<const Hit<T>> coincident, T distance) {
+    at.back.add({at.hit.object, at.hit.surface, !at.hit.entering, false, distance});
+    at.through.add({at.hit.object, at.hit.surface, at.hit.entering, false, distance});
+    for (const Hit<T>& other : coincident) {
+        if (other.object == at.hit.object) continue;
+        at.back.add({other.object, other.surface, !other.entering, false, distance});
+        // Light goes through coincident boundaries of media at once; what is opaque it meets there.
+        const bool opaque = !world.material_of(other.object).transmits();
+        at.through.add({other.object, other.surface, opaque ? !other.entering : other.entering, opaque, distance});
+    }
+    // A hit at the very start, in the gap without width between two objects: the way back leads through the first one.
+    if (at.hit.t > T(0)) return;
+    for (const LeavingSurface<T>& surface : before)
+        if (!surface.crosses) at.back.add({surface.object, surface.surface, surface.starts_inside, true, distance});
+}
+
+template <Scalar T>
+[[nodiscard]] Interaction<T> interact(const World<T>& world, const Ray<T>& ray, const Nearest<T>& nearest,
+                                      const Leaving<T>& leaving, Id medium, Work<T>& work) {
     Interaction<T> at{};
-    at.media = {medium, medium};
-    const Object& object = world.objects[hit.object];
-    at.hit = hit;
-    at.hit.surface = owner(world, ray, hit, leaving.of(hit.object), work);
-    const Solid<T>& solid = world.solids[at.hit.surface.solid];
-    at.point = ray.at(hit.t);
+    at.hit = first_in_file(world, ray, nearest, work.coincident);
+    at.hit.surface = owner(world, ray, at.hit, leaving.of(at.hit.object), work);
+    at.point = ray.at(at.hit.t);
     at.incoming = normalized(ray.direction);
     at.normal = shading_normal(world, ray, at.hit);
-    at.error_bound = solid.error_bound(ray, hit.t, at.hit.surface.face);
+
+    const Object& object = world.objects[at.hit.object];
+    const Solid<T>& solid = world.solids[at.hit.surface.solid];
     at.material = &world.material_of(object);
     at.wall = &world.materials[solid.material];
-    const T along = dot(at.normal, at.incoming);
-    const bool against = object.has_volume ? hit.entering : along < T(0);
+    const bool against = object.has_volume ? at.hit.entering : dot(at.normal, at.incoming) < T(0);
     at.facing = against ? at.normal : -at.normal;
+    at.error_bound = solid.error_bound(ray, at.hit.t, at.hit.surface.face);
+    at.leaves_transmitting_solid = object.has_volume && !at.hit.entering && at.material->transmits();
 
-    // The distance along the normal stays small where a graze makes the bound of t large.
-    at.back.bound = at.through.bound = at.error_bound * magnitude(dot(at.normal, ray.direction));
-    at.back.add({hit.object, at.hit.surface, !hit.entering});
-    at.through.add({hit.object, at.hit.surface, hit.entering});
-    at.leaves_transmitting_solid = object.has_volume && !hit.entering && at.material->transmits();
+    // Along the normal the bound stays small where a graze makes that of t large.
+    const T distance = at.error_bound * magnitude(dot(at.normal, ray.direction));
+    leave_from<T>(at, world, leaving, work.coincident, distance);
+    at.media = {medium, medium};
     if (at.material->transmits()) {
-        at.media = media_at(world, ray, at.hit, leaving, at.through, work);
+        at.media = media_at(world, ray, at.hit, leaving, work);
         at.speed_from = speed_in(world, at.media.from);
         at.speed_to = speed_in(world, at.media.to);
-        for (int i = 1; i < at.through.count; ++i) {
-            LeavingSurface other = at.through.items[std::size_t(i)];
-            other.starts_inside = !other.starts_inside;
-            at.back.add(other);
-        }
     }
     return at;
 }

@@ -14,7 +14,7 @@ template <Scalar T>
                      ray.direction, reach,        Id(budget.medium), light};
     if (leaving.count > 0) {
         event.left_object = Id(leaving.items[0].object);
-        event.left_bound = leaving.bound;
+        event.left_bound = leaving.items[0].bound;
     }
     return event;
 }

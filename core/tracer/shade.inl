@@ -31,27 +31,24 @@ Colour Tracer<T, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& le
         }
         return world_.background;
     }
-    const Interaction<T> at = interact(world_, ray, *hit, leaving, budget.medium, work_);
+    const Interaction<T> at = interact(world_, ray, hit, leaving, budget.medium, work_);
     if constexpr (Recorder::enabled) recorder_.record(boundary_chosen(at));
 
     const Colour local = local_light(at, budget);
+    std::optional<Refraction<T>> bent;
+    if (at.material->transmits()) bent = refract(at.incoming, at.facing, at.speed_from, at.speed_to);
+    const bool total = bent && bent->total();
+    // What can't get through is mirrored as well: one ray carries both shares.
+    const Colour mirrored_share =
+        total ? at.material->reflection + at.material->transmission : at.material->reflection;
+    if (total) note_total_reflection(*bent, mirrored_share, at);
+
     Colour colour = local;
-    if (!at.material->transmits()) {
-        colour += mirrored_light(at, at.material->reflection, budget);
-        refuse(RayKind::refracted, Reason::coefficient_zero, at.material->transmission, budget);
-    } else if (const auto bent = refract(at.incoming, at.facing, at.speed_from, at.speed_to); bent.total()) {
-        // What can't get through is mirrored as well: one ray carries both shares.
-        const Colour both = at.material->reflection + at.material->transmission;
-        ++work_.counters.total_reflections;
-        if constexpr (Recorder::enabled)
-            recorder_.record(TotallyReflected{
-                both, bent.theta_from(), critical_angle(at.speed_from, at.speed_to).value_or(not_a_number),
-                bent.eta});
-        colour += mirrored_light(at, both, budget);
-    } else {
-        colour += mirrored_light(at, at.material->reflection, budget);
-        colour += transmitted_light(at, bent, budget);
-    }
+    colour += mirrored_light(at, mirrored_share, budget);
+    if (bent && !total) colour += transmitted_light(at, *bent, budget);
+    else
+        refuse(RayKind::refracted, total ? Reason::total_internal_reflection : Reason::coefficient_zero,
+               at.material->transmission, budget);
     if constexpr (Recorder::enabled) recorder_.record(RayFinished{local, colour, tested});
     return colour;
 }
@@ -115,7 +112,7 @@ Colour Tracer<T, Stage, Recorder>::visibility(Id light, const Vec3<T>& to_light,
 template <Scalar T, typename Stage, typename Recorder>
 Colour Tracer<T, Stage, Recorder>::mirrored_light(const Interaction<T>& at, const Colour& coefficient,
                                                   const Budget& budget) {
-    if (const auto reason = limits_.refusal(budget, coefficient)) {
+    if (const auto reason = limits_.refusal(budget, coefficient, rays_left_)) {
         refuse(RayKind::reflected, *reason, coefficient, budget);
         return Colour{0};
     }
@@ -131,7 +128,7 @@ template <Scalar T, typename Stage, typename Recorder>
 Colour Tracer<T, Stage, Recorder>::transmitted_light(const Interaction<T>& at, const Refraction<T>& bent,
                                                      const Budget& budget) {
     const Colour& transmission = at.material->transmission;
-    if (const auto reason = limits_.refusal(budget, transmission)) {
+    if (const auto reason = limits_.refusal(budget, transmission, rays_left_)) {
         refuse(RayKind::refracted, *reason, transmission, budget);
         return Colour{0};
     }
@@ -145,16 +142,22 @@ Colour Tracer<T, Stage, Recorder>::transmitted_light(const Interaction<T>& at, c
 template <Scalar T, typename Stage, typename Recorder>
 Colour Tracer<T, Stage, Recorder>::follow(const Continuation& next, const Interaction<T>& at,
                                           const Budget& budget) {
-    if (rays_left_ == 0) {
-        refuse(next.kind, Reason::ray_limit, next.coefficient, budget);
-        return Colour{0};
-    }
     --rays_left_;
     ++work_.counters.rays[std::size_t(next.kind)];
     const Ray<T> ray{at.point, next.direction};
     const Budget after = budget.after(next.coefficient, next.medium);
     if constexpr (Recorder::enabled) recorder_.record(spawned(next.kind, ray, next.leaving, after));
     return next.coefficient * shade(ray, next.leaving, after);
+}
+
+template <Scalar T, typename Stage, typename Recorder>
+void Tracer<T, Stage, Recorder>::note_total_reflection(const Refraction<T>& bent, const Colour& coefficient,
+                                                       const Interaction<T>& at) {
+    ++work_.counters.total_reflections;
+    if constexpr (Recorder::enabled)
+        recorder_.record(TotallyReflected{coefficient, bent.theta_from(),
+                                          critical_angle(at.speed_from, at.speed_to).value_or(not_a_number),
+                                          bent.eta});
 }
 
 template <Scalar T, typename Stage, typename Recorder>

@@ -30,7 +30,7 @@ private:
         Colour coefficient;
         Vec3<T> direction;
         const Leaving<T>& leaving;
-        std::int64_t medium;
+        Id medium;
     };
 
     [[nodiscard]] Colour shade(const Ray<T>& ray, const Leaving<T>& leaving, const Budget& budget);
@@ -43,6 +43,7 @@ private:
     [[nodiscard]] Colour transmitted_light(const Interaction<T>& at, const Refraction<T>& bent,
                                            const Budget& budget);
     [[nodiscard]] Colour follow(const Continuation& next, const Interaction<T>& at, const Budget& budget);
+    void note_total_reflection(const Refraction<T>& bent, const Colour& coefficient, const Interaction<T>& at);
     void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
 
     const World<T>& world_;

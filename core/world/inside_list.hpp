@@ -11,7 +11,7 @@ namespace rayscope {
 /// A surface without volume is a single crossing: it is met, never inside.
 template <Scalar T>
 void append_crossings(const World<T>& world, std::uint32_t solid, const Ray<T>& ray,
-                      const LeavingSurface* leaving, Work<T>& work) {
+                      const LeavingSurface<T>* leaving, Work<T>& work) {
     const Solid<T>& s = world.solids[solid];
     ++work.counters.tests[s.shape.index()];
     for (const Interval<T>& inside :
@@ -23,8 +23,9 @@ void append_crossings(const World<T>& world, std::uint32_t solid, const Ray<T>& 
 }
 
 template <Scalar T>
-[[nodiscard]] T error_bound(const World<T>& world, const Ray<T>& ray, const Crossing<T>& crossing) {
-    return world.solids[crossing.surface.solid].error_bound(ray, crossing.t, crossing.surface.face);
+[[nodiscard]] T error_bound(const World<T>& world, const Ray<T>& ray, const Crossing<T>& crossing,
+                            T off = T(0)) {
+    return world.solids[crossing.surface.solid].error_bound(ray, crossing.t, crossing.surface.face, off);
 }
 
 /// Ignores what merge_clusters reports.
@@ -42,7 +43,7 @@ void settle(const World<T>& world, const Ray<T>& ray, SpanStack<T>& scratch, con
 /// The object's crossings with the ray's whole line, ascending; valid until the scratch is used again.
 template <Scalar T>
 [[nodiscard]] std::span<const Crossing<T>> crossings(const World<T>& world, std::uint32_t object,
-                                                     const Ray<T>& ray, const LeavingSurface* leaving,
+                                                     const Ray<T>& ray, const LeavingSurface<T>* leaving,
                                                      Work<T>& work) {
     const Object& o = world.objects[object];
     ++work.counters.objects;
@@ -60,13 +61,13 @@ template <Scalar T>
 }
 
 /// The surface that a hit belongs to. Where faces of several operands coincide, rounding decides which of them the
-/// crossing at t came from, and neighbouring pixels would show now one material, now the other. So the crossings that
+/// crossing at t came from, and neighbouring pixels would name now one operand, now the other. So the crossings that
 /// can't be told from the hit are put at its t, where the sweep's rule holds: the left operand has the face.
 template <Scalar T>
 [[nodiscard]] Surface owner(const World<T>& world, const Ray<T>& ray, const Hit<T>& hit,
-                            const LeavingSurface* leaving, Work<T>& work) {
+                            const LeavingSurface<T>* leaving, Work<T>& work) {
     const Object& o = world.objects[hit.object];
-    if (!o.is_compound || !world.compounds[o.index].mixed_materials) return hit.surface;
+    if (!o.is_compound) return hit.surface;
     const T bound = error_bound(world, ray, Crossing<T>{hit.t, hit.surface, hit.entering});
     run(std::span<const Instruction>(world.compounds[o.index].program), work.scratch,
         [&](std::uint32_t solid) {
@@ -83,23 +84,48 @@ template <Scalar T>
     return hit.surface;
 }
 
-/// The first crossing in the range, or nullptr. Where the ray starts on this object, a crossing at its very start that
-/// would lead to the side on which it already runs is that surface once more, under another name (a coincident face,
-/// a graze): it does not count.
+/// Where the ray starts on this object: is this crossing its start once more? The surface itself is put at t = 0 by its
+/// kernel; here are the same surface under another name (a coincident face of another operand) and a graze, which may
+/// lie on either side of the start by as much as both are uncertain. They betray themselves by leading to the side on
+/// which the ray already runs.
 template <Scalar T>
-[[nodiscard]] const Crossing<T>* first_crossing(const World<T>& world, const Ray<T>& ray,
-                                                std::span<const Crossing<T>> list, const Range<T>& range,
-                                                const LeavingSurface* leaving) {
-    for (const Crossing<T>& crossing : list) {
-        if (!range.contains(crossing.t)) continue;
-        if (leaving != nullptr && world.objects[leaving->object].has_volume &&
-            crossing.entering == leaving->starts_inside &&
-            crossing.t <= T(2) * error_bound(world, ray, crossing)) {
-            continue;
+[[nodiscard]] bool is_start(const World<T>& world, const Ray<T>& ray, const Crossing<T>& crossing,
+                            const LeavingSurface<T>& leaving) {
+    if (world.objects[leaving.object].has_volume && crossing.entering != leaving.starts_inside) return false;
+    return magnitude(crossing.t) <= T(2) * error_bound(world, ray, crossing, leaving.bound);
+}
+
+/// The first crossing in the range. Where the ray starts on this object, its start does not count, or, if it leads
+/// through that surface, counts as t = 0.
+template <Scalar T>
+[[nodiscard]] std::optional<Crossing<T>> first_crossing(const World<T>& world, const Ray<T>& ray,
+                                                        std::span<const Crossing<T>> list, const Range<T>& range,
+                                                        const LeavingSurface<T>* leaving) {
+    for (Crossing<T> crossing : list) {
+        if (leaving != nullptr && leaving->crosses && crossing.entering != leaving->starts_inside &&
+            crossing.t <= range.min &&
+            -crossing.t <= T(2) * error_bound(world, ray, crossing, leaving->bound)) {
+            crossing.t = range.min;
+            return crossing;
         }
-        return &crossing;
+        if (!range.contains(crossing.t)) continue;
+        if (leaving != nullptr && is_start(world, ray, crossing, *leaving)) continue;
+        return crossing;
     }
-    return nullptr;
+    return std::nullopt;
+}
+
+/// The first crossing in the range of one object, whatever it is.
+template <Scalar T>
+[[nodiscard]] std::optional<Crossing<T>> first_of_object(const World<T>& world, std::uint32_t object,
+                                                         const Ray<T>& ray, const Range<T>& range,
+                                                         const LeavingSurface<T>* leaving, Work<T>& work) {
+    const Object& o = world.objects[object];
+    if (o.is_compound || leaving != nullptr)
+        return first_crossing(world, ray, crossings(world, object, ray, leaving, work), range, leaving);
+    ++work.counters.objects;
+    ++work.counters.tests[world.solids[o.index].shape.index()];
+    return world.solids[o.index].closest(ray, range, o.index);
 }
 
 } // namespace rayscope

@@ -21,7 +21,7 @@ int widest_axis(std::span<const Box<double>> bounds) {
 } // namespace
 
 MediaNeighbours::MediaNeighbours(std::vector<std::uint32_t> transmitting, std::span<const Box<double>> bounds)
-    : all_(std::move(transmitting)), crowded_(all_.size()) {
+    : all_(std::move(transmitting)) {
     const int axis = widest_axis(bounds);
     std::vector<std::uint32_t> order(all_.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -29,37 +29,33 @@ MediaNeighbours::MediaNeighbours(std::vector<std::uint32_t> transmitting, std::s
               [&](auto a, auto b) { return bounds[a].low[axis] < bounds[b].low[axis]; });
 
     std::vector<std::vector<std::uint32_t>> found(all_.size());
-    const auto note = [&](std::uint32_t of, std::uint32_t other) {
-        if (found[of].size() == crowd)
-            crowded_[of] = true;
-        else
-            found[of].push_back(all_[other]);
-    };
-    std::vector<std::uint32_t> open; // boxes that the sweep is in
+    std::vector<std::uint32_t> open; // boxes that the sweep is in; crowded ones need no more looking at
     for (const std::uint32_t next : order) {
-        std::erase_if(open, [&](auto other) { return bounds[other].high[axis] < bounds[next].low[axis]; });
+        std::erase_if(open, [&](auto other) {
+            return found[other].size() >= crowd || bounds[other].high[axis] < bounds[next].low[axis];
+        });
         for (const std::uint32_t other : open) {
-            if (crowded_[next] && crowded_[other]) continue;
+            if (found[next].size() >= crowd) break;
             if (!bounds[next].overlaps(bounds[other])) continue;
-            note(next, other);
-            note(other, next);
+            found[next].push_back(all_[other]);
+            found[other].push_back(all_[next]);
         }
         open.push_back(next);
     }
     starts_.reserve(all_.size() + 1);
     starts_.push_back(0);
-    for (auto& list : found) {
-        std::sort(list.begin(), list.end());
-        neighbours_.insert(neighbours_.end(), list.begin(), list.end());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i].size() >= crowd) crowded_.push_back(all_[i]);
+        else neighbours_.insert(neighbours_.end(), found[i].begin(), found[i].end());
         starts_.push_back(std::uint32_t(neighbours_.size()));
     }
 }
 
-std::span<const std::uint32_t> MediaNeighbours::of(std::uint32_t object) const {
+std::span<const std::uint32_t> MediaNeighbours::own(std::uint32_t object) const {
     const auto at = std::lower_bound(all_.begin(), all_.end(), object);
-    if (at == all_.end() || *at != object) return all_;
+    if (at == all_.end() || *at != object || std::binary_search(crowded_.begin(), crowded_.end(), object))
+        return all_;
     const auto index = std::size_t(at - all_.begin());
-    if (crowded_[index]) return all_;
     return std::span(neighbours_).subspan(starts_[index], starts_[index + 1] - starts_[index]);
 }
 

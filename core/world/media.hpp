@@ -20,15 +20,22 @@ public:
     /// Every transmitting object, ascending.
     [[nodiscard]] std::span<const std::uint32_t> all() const { return all_; }
 
-    /// Those that can contain a point of this object's surface, without itself, ascending. An object that does not
-    /// transmit, or that meets very many, gets all of them.
-    [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t object) const;
+    /// Calls consider(other) for each object that can contain a point of this object's surface; perhaps for some that
+    /// can't, perhaps twice, never for the object itself.
+    template <typename Consider> void each_near(std::uint32_t object, const Consider& consider) const {
+        for (const auto list : {own(object), std::span<const std::uint32_t>(crowded_)})
+            for (const std::uint32_t other : list)
+                if (other != object) consider(other);
+    }
 
 private:
+    // What is stored for an object; all of them for one that is crowded or no medium.
+    [[nodiscard]] std::span<const std::uint32_t> own(std::uint32_t object) const;
+
     std::vector<std::uint32_t> all_;
     std::vector<std::uint32_t> starts_; // per entry of all_, into neighbours_
     std::vector<std::uint32_t> neighbours_;
-    std::vector<bool> crowded_;
+    std::vector<std::uint32_t> crowded_; // objects that meet very many: near to everything, ascending
 };
 
 } // namespace rayscope

@@ -4,6 +4,8 @@
 #include "core/generics/generic.hpp"
 #include "core/math/transform.hpp"
 
+#include <optional>
+
 namespace rayscope {
 
 template <Scalar T> struct Solid {
@@ -33,7 +35,20 @@ template <Scalar T> struct Solid {
     /// If rounding moves the object-space point by e = 4ε(|M⁻¹||o − T| + |t||M⁻¹||d|), the surface's function moves by
     /// δ = n·e for its unit normal n, and its root on a line with slope s = n·d′ and curvature h by δ / s, or by
     /// √(2δ / h) where s → 0 (see `root_shift`).
-    [[nodiscard]] T error_bound(const Ray<T>& ray, T t, int face) const;
+    /// @param off the surface may lie this far from where the ray sees it, along its normal: world length
+    [[nodiscard]] T error_bound(const Ray<T>& ray, T t, int face, T off = T(0)) const;
+
+    /// The first crossing with t in the range; the query of the hot path, for solids that are no operands.
+    [[nodiscard]] std::optional<Crossing<T>> closest(const Ray<T>& ray, const Range<T>& range,
+                                                     std::uint32_t index) const {
+        for (const Interval<T>& inside : intervals(ray)) {
+            if (range.contains(inside.enter))
+                return Crossing<T>{inside.enter, {index, std::uint16_t(inside.enter_face), false}, true};
+            if (range.contains(inside.exit))
+                return Crossing<T>{inside.exit, {index, std::uint16_t(inside.exit_face), false}, false};
+        }
+        return std::nullopt;
+    }
 
     /// Size of δ above: how far, in object space along the normal, the computed crossing can lie from the surface.
     [[nodiscard]] T surface_distance(const Ray<T>& ray, T t, const Vec3<T>& unit_normal) const {
@@ -54,14 +69,15 @@ template <Scalar T> [[nodiscard]] T root_shift(T delta, T slope, T curvature) {
     return change / (half_chord + std::sqrt(squared - change));
 }
 
-template <Scalar T> T Solid<T>::error_bound(const Ray<T>& ray, T t, int face) const {
+template <Scalar T> T Solid<T>::error_bound(const Ray<T>& ray, T t, int face, T off) const {
     if (!std::isfinite(t)) return T(0);
     const Ray<T> moved = transform.to_object(ray);
     const Vec3<T> p = moved.at(t);
     return std::visit(
         [&](const auto& s) {
             const Vec3<T> n = normalized(s.normal(p, face));
-            return root_shift(surface_distance(ray, t, n), dot(n, moved.direction),
+            const T moved_off = off * magnitude(dot(n, transform.vector_to_object(transform.normal_to_world(n))));
+            return root_shift(surface_distance(ray, t, n) + moved_off, dot(n, moved.direction),
                               s.curvature(p, moved.direction, face));
         },
         shape);

@@ -2,7 +2,11 @@
 // What one thread needs to look for hits.
 
 #include "core/csg/sweep.hpp"
+#include "core/math/ray.hpp"
 #include "core/world/counters.hpp"
+
+#include <algorithm>
+#include <span>
 
 namespace rayscope {
 
@@ -19,32 +23,81 @@ template <Scalar T> struct Hit {
     }
 };
 
-/// The surface on which a secondary ray starts, and on which side of its object it runs.
-struct LeavingSurface {
+/// A surface on which a secondary ray starts.
+template <Scalar T> struct LeavingSurface {
     std::uint32_t object = 0;
     Surface surface;
-    bool starts_inside = false;
+    bool starts_inside = false; ///< the side of the object on which the ray starts
+    bool crosses = false;       ///< it leads through the surface at once: the crossing at t = 0 counts
+    T bound = T(0);             ///< how far the start may lie from the surface: world length
 
     /// The face, if it is one of this solid's.
-    [[nodiscard]] int face_of(std::uint32_t solid) const {
-        return surface.solid == solid ? surface.face : no_face;
+    [[nodiscard]] int face_of(std::uint32_t solid) const { return surface.solid == solid ? surface.face : no_face; }
+};
+
+/// All of them: the one that was hit, and those of other objects that coincide with it.
+template <Scalar T> struct Leaving {
+    std::array<LeavingSurface<T>, 8> items;
+    int count = 0;
+
+    void add(const LeavingSurface<T>& surface) {
+        if (count < int(items.size())) items[std::size_t(count++)] = surface;
+    }
+    [[nodiscard]] const LeavingSurface<T>* begin() const { return items.data(); }
+    [[nodiscard]] const LeavingSurface<T>* end() const { return items.data() + count; }
+    [[nodiscard]] const LeavingSurface<T>* of(std::uint32_t object) const {
+        for (const LeavingSurface<T>& surface : *this)
+            if (surface.object == object) return &surface;
+        return nullptr;
     }
 };
 
-/// The surfaces on which a secondary ray starts: the one that was hit, and those of other media that coincide with it.
-template <Scalar T> struct Leaving {
-    std::array<LeavingSurface, 4> items;
-    int count = 0;
-    T bound = T(0); ///< how far the start may lie from the surface that was hit: world length
+/// The nearest hit of a ray, and the hits of other objects so close to it that rounding may have chosen between them.
+template <Scalar T> class Nearest {
+  public:
+    /// What is offered is kept if it lies within `margin` of the nearest. The margin is far above the error bounds of
+    /// any two crossings that coincide; who reads the list compares those.
+    explicit Nearest(const Ray<T>& ray)
+        : absolute_(largest_component(absolute(ray.origin)) * std::sqrt(epsilon<T>)) {}
 
-    void add(const LeavingSurface& surface) {
-        if (count < int(items.size())) items[std::size_t(count++)] = surface;
+    void offer(const Hit<T>& hit) {
+        if (count_ == 0) {
+            hits_[std::size_t(count_++)] = hit;
+        } else if (hit.precedes(hits_[0])) {
+            const Hit<T> second = hits_[0];
+            hits_[0] = hit;
+            int kept = 1;
+            for (int i = 1; i < count_; ++i)
+                if (close(hits_[std::size_t(i)])) hits_[std::size_t(kept++)] = hits_[std::size_t(i)];
+            count_ = kept;
+            add_if_close(second);
+        } else {
+            add_if_close(hit);
+        }
     }
-    [[nodiscard]] const LeavingSurface* of(std::uint32_t object) const {
-        for (int i = 0; i < count; ++i)
-            if (items[std::size_t(i)].object == object) return &items[std::size_t(i)];
-        return nullptr;
+    explicit operator bool() const { return count_ > 0; }
+    [[nodiscard]] const Hit<T>& operator*() const { return hits_[0]; }
+    [[nodiscard]] std::span<const Hit<T>> all() const { return {hits_.data(), std::size_t(count_)}; }
+
+  private:
+    [[nodiscard]] bool close(const Hit<T>& hit) const {
+        constexpr T relative = T(1) / T(1 << 20);
+        return hit.t - hits_[0].t <= std::fma(relative, magnitude(hits_[0].t), absolute_);
     }
+    void add_if_close(const Hit<T>& hit) {
+        if (!close(hit)) return;
+        if (count_ < int(hits_.size())) {
+            hits_[std::size_t(count_++)] = hit;
+            return;
+        }
+        auto farthest = std::max_element(hits_.begin() + 1, hits_.end(),
+                                         [](const Hit<T>& a, const Hit<T>& b) { return a.precedes(b); });
+        if (hit.precedes(*farthest)) *farthest = hit;
+    }
+
+    std::array<Hit<T>, 8> hits_;
+    int count_ = 0;
+    T absolute_;
 };
 
 /// A boundary of a transmitting object between a point and a light.
@@ -56,6 +109,7 @@ template <Scalar T> struct Blocker {
 template <Scalar T> struct Work {
     SpanStack<T> scratch;
     std::vector<Blocker<T>> blockers;
+    std::vector<Hit<T>> coincident;
     Counters counters;
 };
 

@@ -15,7 +15,6 @@ struct Material {
     double speed = 1; ///< of light inside; air 1
 
     [[nodiscard]] bool transmits() const { return largest_component(transmission) > 0; }
-    [[nodiscard]] bool reflects() const { return largest_component(reflection) > 0; }
 };
 
 struct Light {
@@ -28,7 +27,6 @@ struct Light {
 struct Compound {
     std::vector<CompoundNode> nodes; ///< the author's tree in postfix order
     Program program;                 ///< the same, regrouped
-    bool mixed_materials = false;    ///< its walls do not all look the same
 };
 
 /// What a ray can hit: a solid, or a compound of solids. Its index is its id, in the order of the file.

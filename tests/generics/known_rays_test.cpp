@@ -117,7 +117,10 @@ TEST(KnownRays, cone_parallel_to_a_generator) {
     expect_spans(cone, {{0.3, 0, -3}, {-0.5, 0, 1}}, {{2, 2.3, base, wall}});
     expect_spans(cone, {{-1.2, 0, 0}, {0.5, 0, -1}}, {{0.7, 1, wall, base}});
     expect_spans(cone, {{0, -1.2, 0}, {0, 0.5, -1}}, {{0.7, 1, wall, base}});
+    expect_spans(cone, {{0.3, 0.2, -3}, {-0.5, 0, 1}}, {{2, 3.87 / 1.7, base, wall}});
     expect_spans(cone, {{1, 0, 0}, {-0.5, 0, 1}}, {});
+    expect_spans(cone, {{0.5, 0.3, 0}, {-0.5, 0, 1}},
+                 {});                       // in the plane that touches the cone along a generator
     for (const double side : {-1.0, 1.0}) { // the generator itself: in or out, never a half
         const Intervals<double> found = intervals(cone, {{0.5, 0, 0}, {-0.5 * side, 0, side}});
         for (const Interval<double>& span : found) EXPECT_FALSE(span.empty());
@@ -209,6 +212,10 @@ TEST(KnownRays, leaving_a_face_begins_at_zero_exactly) {
     expect_spans(Torus<double>{}, {{1.25, 0, 0}, {1, 0, 0}}, {{-2.5, -2}, {-0.5, 0}}, 0);
     expect_spans(Torus<double>{}, {{0.75, 0, 0}, {-1, 0, 0}}, {{-0.5, 0}, {1.5, 2}}, 0);
     expect_spans(Torus<double>{}, {{0.75, 0, 0}, {2, 0, 0}}, {{-1, -0.75}, {0, 0.25}}, 0);
+    // A start that is beside the torus by more than the graze is deep has no crossing of its own: the far side stays.
+    const Intervals<double> far = intervals(Torus<double>{}, {{1, 0, 0.25 + 0x1p-20}, {-1, 0, -0x1p-13}}, 0);
+    ASSERT_EQ(far.count, 1);
+    EXPECT_GT(far.items[0].enter, 1.9);
     EXPECT_EQ(intervals(triangle(), {{0, 0, 1e-9}, {0, 0, -1}}, 0).count, 0);
 }
 

@@ -61,7 +61,10 @@ TEST(Precision, hit_or_miss_is_decided_by_the_distance_from_the_centre_even_from
             const double squared = double((1 - product(q, q)) / dd), step = 0x1p-7;
             const std::string what = hex(Ray<double>{origin, direction}) + " seed " + std::to_string(seed);
             if (squared > 4 * step * step) {
-                ASSERT_EQ(intervals(shape, {origin, direction}).count, 1) << what;
+                const Intervals<double> list = intervals(shape, {origin, direction});
+                ASSERT_EQ(list.count, 1) << what;
+                const Wide middle = (Wide(list.items[0].enter) + Wide(list.items[0].exit)) / 2;
+                ASSERT_NEAR(double(middle + od / dd), 0, 1.5 * step) << what;
             }
             if (squared < -1e-6) {
                 ASSERT_EQ(intervals(shape, {origin, direction}).count, 0) << what;
