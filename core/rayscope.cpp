@@ -70,7 +70,8 @@ WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std:
     const RaySpawned& start = trace.rays.at(ray).start();
     const SceneObject& drawn = bench.scene.drawn.at(object);
     const std::string name = object_title(bench.scene, drawn);
-    const bool starts_on = start.left_object != none && trace.objects[std::size_t(start.left_object)].name == name;
+    const bool starts_on =
+        start.left_object != none && trace.objects[std::size_t(start.left_object)].name == name;
     const auto* hit = trace.rays[ray].find<BoundaryChosen>();
     return why_not(bench.world, std::uint32_t(object), {start.origin, start.direction}, start.reach,
                    hit != nullptr ? hit->boundary.t : infinity<double>, starts_on);
@@ -98,7 +99,9 @@ std::vector<Spans<double>> spans(const Workbench& bench, const Ray<double>& ray)
 
 void write_trace(const Trace& trace, const std::filesystem::path& path) {
     if (path.extension() != ".json") throw InputError(path.string(), {}, "a trace is written as .json");
-    write_text_file(path, to_json(trace).dump(1) + "\n");
+    // A scene's path may be no UTF-8, JSON must be.
+    const auto text = to_json(trace).dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
+    write_text_file(path, text + "\n");
 }
 
 } // namespace rayscope

@@ -6,9 +6,11 @@
 //     write_trace(trace, "bowl.json");
 
 #include "core/files/atomic_file.hpp"
+#include "core/files/utf8.hpp"
 #include "core/image/image.hpp"
 #include "core/image/srgb.hpp"
 #include "core/scene/expand.hpp"
+#include "core/scene/name_trace.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/wording.hpp"
 #include "core/shading/phong.hpp"

@@ -1,5 +1,9 @@
 #include "core/csg/expression.hpp"
 
+#include "core/files/utf8.hpp"
+
+#include <fmt/format.h>
+
 #include <array>
 #include <utility>
 
@@ -54,8 +58,12 @@ Token token_at(std::string_view text, std::size_t offset) {
 
 std::string shown(const Token& token) {
     if (token.symbol == Symbol::end) return "the end";
-    // A control character would garble the line that reports it.
-    if (static_cast<unsigned char>(token.text.front()) < 0x20) return "a control character";
+    if (token.symbol == Symbol::stranger) {
+        if (utf8_length(token.text) != token.text.size()) return "bytes that are not UTF-8";
+        // Shown as it is, it would garble the line that reports it.
+        const char32_t c = utf8_code_point(token.text);
+        if (steers_terminal(c)) return fmt::format("U+{:04X}", std::uint32_t(c));
+    }
     return "'" + std::string(token.text) + "'";
 }
 

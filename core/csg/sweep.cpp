@@ -39,7 +39,8 @@ template <Scalar T> void SpanStack<T>::sweep(Operation operation, std::size_t a,
         if (take_b) in_b = crossings_[j++].entering;
         if (holds(operation, in_a, in_b) == inside) continue;
         inside = !inside;
-        if (!take_a && operation == Operation::difference) boundary.surface.flipped = !boundary.surface.flipped;
+        if (!take_a && operation == Operation::difference)
+            boundary.surface.flipped = !boundary.surface.flipped;
         boundary.entering = inside;
         crossings_.push_back(boundary);
     }

@@ -60,7 +60,8 @@ void record_compound(const World<double>& world, std::uint32_t object, const Ray
 } // namespace
 
 void record_object(const World<double>& world, std::uint32_t object, const Ray<double>& ray,
-                   const Range<double>& range, const LeavingSurface<double>* leaving, TraceRecorder& recorder) {
+                   const Range<double>& range, const LeavingSurface<double>* leaving,
+                   TraceRecorder& recorder) {
     Work<double> work; // its counts are not the tracer's
     const Crossings list = crossings(world, object, ray, leaving, work);
     if (world.objects[object].is_compound)

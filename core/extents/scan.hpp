@@ -14,9 +14,8 @@ public:
 
     /// The nearest crossing with t in the range, with those of other objects that may coincide with it.
     template <typename Recorder>
-    [[nodiscard]] Nearest<T> closest(const Ray<T>& ray, const Range<T>& range,
-                                                const Leaving<T>& leaving, Work<T>& work,
-                                                Recorder& recorder) const;
+    [[nodiscard]] Nearest<T> closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
+                                     Work<T>& work, Recorder& recorder) const;
 
     /// True as soon as an opaque object has a crossing in the range. If there is none, work.blockers holds the
     /// crossings of transmitting objects in the range, by (t, object).
@@ -61,8 +60,8 @@ void Scan<T>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<
 
 template <Scalar T>
 template <typename Recorder>
-Nearest<T> Scan<T>::closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving, Work<T>& work,
-                            Recorder& recorder) const {
+Nearest<T> Scan<T>::closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
+                            Work<T>& work, Recorder& recorder) const {
     Nearest<T> nearest(ray);
     each_candidate(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray, range, start, recorder);

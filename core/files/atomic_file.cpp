@@ -86,8 +86,10 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(target_of(path)), nameless_
 
 AtomicFile::~AtomicFile() {
     std::error_code ignored;
-    if (nameless_ >= 0) ::close(nameless_);
-    else if (!temporary_.empty()) fs::remove(temporary_, ignored);
+    if (nameless_ >= 0)
+        ::close(nameless_);
+    else if (!temporary_.empty())
+        fs::remove(temporary_, ignored);
 }
 
 void AtomicFile::commit() {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -18,7 +20,7 @@ void encode_pfm(const Image& image, const std::filesystem::path& path) {
         out.write(reinterpret_cast<const char*>(&image.rgb[std::size_t(y) * row]),
                   std::streamsize(row * sizeof(float)));
     out.close();
-    if (!out) throw std::runtime_error("the disk may be full");
+    if (!out) throw std::runtime_error(std::strerror(errno));
 }
 
 } // namespace rayscope

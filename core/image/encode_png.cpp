@@ -4,6 +4,9 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <stdexcept>
 
 namespace rayscope {
@@ -16,8 +19,14 @@ void encode_png(const Image& image, const std::filesystem::path& path) {
     header.width = png_uint_32(image.width);
     header.height = png_uint_32(image.height);
     header.format = PNG_FORMAT_RGB; // 8-bit RGB means sRGB to libpng, and the file says so
-    if (png_image_write_to_file(&header, path.c_str(), 0, bytes.data(), 0, nullptr) == 0)
-        throw std::runtime_error(header.message);
+    std::FILE* const file = std::fopen(path.c_str(), "wb");
+    if (file == nullptr) throw std::runtime_error(std::strerror(errno));
+    errno = 0;
+    const bool written = png_image_write_to_stdio(&header, file, 0, bytes.data(), 0, nullptr) != 0;
+    int error = errno; // libpng's own words for it are "Write Error"
+    const bool closed = std::fclose(file) == 0;
+    if (written && !closed) error = errno;
+    if (!written || !closed) throw std::runtime_error(error != 0 ? std::strerror(error) : header.message);
 }
 
 } // namespace rayscope

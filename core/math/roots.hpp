@@ -21,8 +21,10 @@ template <Scalar T> [[nodiscard]] std::pair<T, T> quadratic_roots(T A, T B, T C,
 /// Where one root of A t² + 2 B t + C is small beside the distance of the two, as for a ray that starts near a surface,
 /// middle ± half has cancelled in it. It follows without cancellation from the other one: their product is C / A.
 template <Scalar T> void mend_small_root(T& first, T& second, T half, T A, T C) {
-    if (magnitude(first) < half / T(2)) first = C / (A * second);
-    else if (magnitude(second) < half / T(2)) second = C / (A * first);
+    if (magnitude(first) < half / T(2))
+        first = C / (A * second);
+    else if (magnitude(second) < half / T(2))
+        second = C / (A * first);
 }
 
 /// A function's value and derivative at one point.

@@ -102,9 +102,8 @@ private:
         for (const ExpandedNode& node : tree) {
             result.nodes.push_back(
                 {node.operation, node.left, node.right, std::uint32_t(world_.solids.size())});
-            boxes.push_back(node.operation == Operation::leaf
-                                ? add_leaf(compound, node, material)
-                                : box_of(node, boxes));
+            boxes.push_back(node.operation == Operation::leaf ? add_leaf(compound, node, material)
+                                                              : box_of(node, boxes));
         }
         result.program = compile(result.nodes);
         world_.objects.push_back(

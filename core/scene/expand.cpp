@@ -6,7 +6,7 @@ namespace {
 // A node that is being visited: its operands first, then itself.
 struct Visit {
     std::size_t compound, node;
-    Mat4d matrix; // of the space that the compound stands in
+    Mat4d matrix;                             // of the space that the compound stands in
     std::optional<std::size_t> material = {}; // of the innermost compound that has one
     int operands_done = 0;
 };

@@ -8,10 +8,11 @@ namespace rayscope {
 /// A node of the whole tree, and where its author wrote it.
 struct ExpandedNode {
     Operation operation = Operation::leaf;
-    std::uint32_t left = 0, right = 0;  ///< nodes of the same tree
-    std::size_t generic = 0;            ///< leaves: index into Scene::generics
-    Mat4d matrix{1};                    ///< leaves: of the generic's object space → world
-    std::optional<std::size_t> material; ///< leaves: the generic's own, else the innermost named compound's, if any
+    std::uint32_t left = 0, right = 0; ///< nodes of the same tree
+    std::size_t generic = 0;           ///< leaves: index into Scene::generics
+    Mat4d matrix{1};                   ///< leaves: of the generic's object space → world
+    std::optional<std::size_t>
+        material; ///< leaves: the generic's own, else the innermost named compound's, if any
     std::size_t compound = 0, node = 0; ///< index into Scene::compounds and its nodes
 };
 

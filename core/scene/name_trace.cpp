@@ -78,7 +78,8 @@ private:
         const auto [at, fresh] = media_.try_emplace(world_id, Id(trace_.media.size()));
         if (fresh) {
             const SceneObject& drawn = scene_.drawn[std::size_t(world_id)];
-            trace_.media.push_back({object_title(scene_, drawn), world_.material_of(std::uint32_t(world_id)).speed});
+            trace_.media.push_back(
+                {object_title(scene_, drawn), world_.material_of(std::uint32_t(world_id)).speed});
         }
         return at->second;
     }

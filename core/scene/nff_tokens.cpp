@@ -1,6 +1,6 @@
 #include "core/scene/nff_tokens.hpp"
 
-#include "core/scene/utf8.hpp"
+#include "core/files/utf8.hpp"
 #include "core/scene/wording.hpp"
 
 #include <fmt/format.h>

@@ -82,7 +82,7 @@ private:
         for (const std::string_view line : {"from", "at", "up", "angle"})
             if (std::find(found.begin(), found.end(), line) == found.end())
                 tokens_.fail(command, fmt::format("the viewpoint has no '{}'", line));
-        if (const auto problem = view_problem(scene_.camera)) tokens_.fail(command, *problem);
+        if (const auto problem = view_problem(scene_.camera, "from", "at")) tokens_.fail(command, *problem);
         has_view_ = true;
     }
 

@@ -1,6 +1,6 @@
 #include "core/scene/source_text.hpp"
 
-#include "core/scene/utf8.hpp"
+#include "core/files/utf8.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "core/scene/wording.hpp"
 
-#include "core/scene/utf8.hpp"
+#include "core/files/utf8.hpp"
 
 #include <algorithm>
 
@@ -36,12 +36,7 @@ std::string in_quotes(std::string_view text) {
     std::size_t offset = 0, characters = 0;
     for (; offset < text.size() && characters < longest_quote; ++characters) {
         const std::size_t length = utf8_length(text.substr(offset));
-        const auto first = static_cast<unsigned char>(text[offset]);
-        // U+0080 to U+009F, encoded C2 80 to C2 9F, are control characters too.
-        const bool control =
-            first < 0x20 || first == 0x7F ||
-            (first == 0xC2 && length == 2 && static_cast<unsigned char>(text[offset + 1]) < 0xA0);
-        if (length == 0 || control)
+        if (length == 0 || steers_terminal(utf8_code_point(text.substr(offset, length))))
             shown += '?';
         else
             shown += text.substr(offset, length);

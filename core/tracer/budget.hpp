@@ -26,7 +26,7 @@ struct RecursionLimits {
 
     /// Why a ray is not spawned, or nothing: it is, if depth < max_depth and its own weight is > 0 and ≥ min_weight.
     [[nodiscard]] std::optional<Reason> refusal(const Budget& parent, const Colour& coefficient,
-                                                 int rays_left) const {
+                                                int rays_left) const {
         if (!(largest_component(coefficient) > 0)) return Reason::coefficient_zero;
         if (parent.depth >= max_depth) return Reason::depth;
         const double weight = largest_component(parent.after(coefficient).weight);

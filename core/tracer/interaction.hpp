@@ -14,8 +14,8 @@ template <Scalar T> struct Interaction {
     T error_bound;    ///< of t
     MediaPair media;
     T speed_from = T(1), speed_to = T(1);
-    Leaving<T> back;    ///< what a ray that stays on this side leaves
-    Leaving<T> through; ///< what a ray that goes on leaves
+    Leaving<T> back;          ///< what a ray that stays on this side leaves
+    Leaving<T> through;       ///< what a ray that goes on leaves
     const Material* material; ///< reflection, transmission, speed: the object's
     const Material* wall;     ///< ambient, diffuse, specular: the operand's own, where it has one
 
@@ -28,7 +28,8 @@ template <Scalar T>
 [[nodiscard]] Vec3<T> shading_normal(const World<T>& world, const Ray<T>& ray, const Hit<T>& hit) {
     const Solid<T>& solid = world.solids[hit.surface.solid];
     Vec3<T> n = solid.normal(ray, hit.t, hit.surface.face);
-    if (const auto* polygon = std::get_if<Polygon<T>>(&solid.shape); polygon != nullptr && polygon->smooth()) {
+    if (const auto* polygon = std::get_if<Polygon<T>>(&solid.shape);
+        polygon != nullptr && polygon->smooth()) {
         const Vec3<T> smooth = solid.transform.normal_to_world(
             polygon->shading_normal(solid.transform.to_object(ray).at(hit.t)));
         // Where the smooth normal would turn away from the ray it can't be used: the eye sees the front.
@@ -69,12 +70,14 @@ void leave_from(Interaction<T>& at, const World<T>& world, const Leaving<T>& bef
         at.back.add({other.object, other.surface, !other.entering, false, distance});
         // Light goes through coincident boundaries of media at once; what is opaque it meets there.
         const bool opaque = !world.material_of(other.object).transmits();
-        at.through.add({other.object, other.surface, opaque ? !other.entering : other.entering, opaque, distance});
+        at.through.add(
+            {other.object, other.surface, opaque ? !other.entering : other.entering, opaque, distance});
     }
     // A hit at the very start, in the gap without width between two objects: the way back leads through the first one.
     if (at.hit.t > T(0)) return;
     for (const LeavingSurface<T>& surface : before)
-        if (!surface.crosses) at.back.add({surface.object, surface.surface, surface.starts_inside, true, distance});
+        if (!surface.crosses)
+            at.back.add({surface.object, surface.surface, surface.starts_inside, true, distance});
 }
 
 template <Scalar T>

@@ -67,7 +67,8 @@ template <Scalar T>
     Containing here;
     for (const std::uint32_t object : world.media.all()) {
         bool inside = false;
-        for (const Crossing<T>& c : crossings(world, object, ray, static_cast<const LeavingSurface<T>*>(nullptr), work)) {
+        for (const Crossing<T>& c :
+             crossings(world, object, ray, static_cast<const LeavingSurface<T>*>(nullptr), work)) {
             if (c.t > T(0)) break;
             inside = c.entering;
         }

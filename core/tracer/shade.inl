@@ -45,7 +45,8 @@ Colour Tracer<T, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& le
 
     Colour colour = local;
     colour += mirrored_light(at, mirrored_share, budget);
-    if (bent && !total) colour += transmitted_light(at, *bent, budget);
+    if (bent && !total)
+        colour += transmitted_light(at, *bent, budget);
     else
         refuse(RayKind::refracted, total ? Reason::total_internal_reflection : Reason::coefficient_zero,
                at.material->transmission, budget);

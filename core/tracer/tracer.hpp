@@ -43,7 +43,8 @@ private:
     [[nodiscard]] Colour transmitted_light(const Interaction<T>& at, const Refraction<T>& bent,
                                            const Budget& budget);
     [[nodiscard]] Colour follow(const Continuation& next, const Interaction<T>& at, const Budget& budget);
-    void note_total_reflection(const Refraction<T>& bent, const Colour& coefficient, const Interaction<T>& at);
+    void note_total_reflection(const Refraction<T>& bent, const Colour& coefficient,
+                               const Interaction<T>& at);
     void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
 
     const World<T>& world_;

@@ -4,8 +4,8 @@
 
 namespace rayscope {
 
-WhyNot why_not(const World<double>& world, std::uint32_t object, const Ray<double>& ray, double reach, double hit,
-               bool starts_on) {
+WhyNot why_not(const World<double>& world, std::uint32_t object, const Ray<double>& ray, double reach,
+               double hit, bool starts_on) {
     Work<double> work;
     const LeavingSurface<double>* const nowhere = nullptr;
     const auto list = crossings(world, object, ray, nowhere, work);

@@ -21,7 +21,7 @@ struct WhyNot {
 /// Tests the object again with the kernel that rejected it.
 /// @param reach, hit the t at which the ray's light lies and at which it ended; infinity if there is none
 /// @param starts_on the ray starts on this object: crossings at its start do not count
-[[nodiscard]] WhyNot why_not(const World<double>& world, std::uint32_t object, const Ray<double>& ray, double reach,
-                             double hit, bool starts_on);
+[[nodiscard]] WhyNot why_not(const World<double>& world, std::uint32_t object, const Ray<double>& ray,
+                             double reach, double hit, bool starts_on);
 
 } // namespace rayscope

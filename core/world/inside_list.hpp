@@ -98,9 +98,9 @@ template <Scalar T>
 /// The first crossing in the range. Where the ray starts on this object, its start does not count, or, if it leads
 /// through that surface, counts as t = 0.
 template <Scalar T>
-[[nodiscard]] std::optional<Crossing<T>> first_crossing(const World<T>& world, const Ray<T>& ray,
-                                                        std::span<const Crossing<T>> list, const Range<T>& range,
-                                                        const LeavingSurface<T>* leaving) {
+[[nodiscard]] std::optional<Crossing<T>>
+first_crossing(const World<T>& world, const Ray<T>& ray, std::span<const Crossing<T>> list,
+               const Range<T>& range, const LeavingSurface<T>* leaving) {
     for (Crossing<T> crossing : list) {
         if (leaving != nullptr && leaving->crosses && crossing.entering != leaving->starts_inside &&
             crossing.t <= range.min &&

@@ -45,8 +45,10 @@ MediaNeighbours::MediaNeighbours(std::vector<std::uint32_t> transmitting, std::s
     starts_.reserve(all_.size() + 1);
     starts_.push_back(0);
     for (std::size_t i = 0; i < found.size(); ++i) {
-        if (found[i].size() >= crowd) crowded_.push_back(all_[i]);
-        else neighbours_.insert(neighbours_.end(), found[i].begin(), found[i].end());
+        if (found[i].size() >= crowd)
+            crowded_.push_back(all_[i]);
+        else
+            neighbours_.insert(neighbours_.end(), found[i].begin(), found[i].end());
         starts_.push_back(std::uint32_t(neighbours_.size()));
     }
 }

@@ -76,7 +76,8 @@ template <Scalar T> T Solid<T>::error_bound(const Ray<T>& ray, T t, int face, T 
     return std::visit(
         [&](const auto& s) {
             const Vec3<T> n = normalized(s.normal(p, face));
-            const T moved_off = off * magnitude(dot(n, transform.vector_to_object(transform.normal_to_world(n))));
+            const T moved_off =
+                off * magnitude(dot(n, transform.vector_to_object(transform.normal_to_world(n))));
             return root_shift(surface_distance(ray, t, n) + moved_off, dot(n, moved.direction),
                               s.curvature(p, moved.direction, face));
         },

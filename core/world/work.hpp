@@ -32,7 +32,9 @@ template <Scalar T> struct LeavingSurface {
     T bound = T(0);             ///< how far the start may lie from the surface: world length
 
     /// The face, if it is one of this solid's.
-    [[nodiscard]] int face_of(std::uint32_t solid) const { return surface.solid == solid ? surface.face : no_face; }
+    [[nodiscard]] int face_of(std::uint32_t solid) const {
+        return surface.solid == solid ? surface.face : no_face;
+    }
 };
 
 /// All of them: the one that was hit, and those of other objects that coincide with it.
@@ -54,7 +56,7 @@ template <Scalar T> struct Leaving {
 
 /// The nearest hit of a ray, and the hits of other objects so close to it that rounding may have chosen between them.
 template <Scalar T> class Nearest {
-  public:
+public:
     /// What is offered is kept if it lies within `margin` of the nearest. The margin is far above the error bounds of
     /// any two crossings that coincide; who reads the list compares those.
     explicit Nearest(const Ray<T>& ray)
@@ -79,7 +81,7 @@ template <Scalar T> class Nearest {
     [[nodiscard]] const Hit<T>& operator*() const { return hits_[0]; }
     [[nodiscard]] std::span<const Hit<T>> all() const { return {hits_.data(), std::size_t(count_)}; }
 
-  private:
+private:
     [[nodiscard]] bool close(const Hit<T>& hit) const {
         constexpr T relative = T(1) / T(1 << 20);
         return hit.t - hits_[0].t <= std::fma(relative, magnitude(hits_[0].t), absolute_);

@@ -22,7 +22,7 @@ const std::map<std::string, Folders, std::less<>> stands_on = {
     {"shading", {"trace"}},
     {"reflection", {"trace"}},
     {"refraction", {"trace"}},
-    {"csg", {"generics", "shading", "reflection", "refraction"}},
+    {"csg", {"generics", "shading", "reflection", "refraction", "files"}},
     {"world", {"csg"}},
     {"extents", {"world"}},
     {"octree", {"world"}},

@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,6 +29,10 @@ constexpr std::chrono::seconds patience{60}; // sanitizers on a busy machine
     for (const std::string& variable : setting.environment) {
         const auto at = variable.find('=');
         setenv(variable.substr(0, at).c_str(), variable.substr(at + 1).c_str(), 1);
+    }
+    if (setting.largest_file) {
+        const rlimit limit{*setting.largest_file, *setting.largest_file};
+        setrlimit(RLIMIT_FSIZE, &limit);
     }
     if (chdir(setting.folder.c_str()) == 0) execv(pointers[0], pointers.data());
     _exit(127);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Outcome {
 struct Setting {
     std::filesystem::path folder = RAYSCOPE_SOURCE_DIR; ///< where it runs
     std::vector<std::string> environment{};             ///< "NAME=value", added to the test's own
+    std::optional<unsigned> largest_file{};             ///< bytes that it may write into a file
 };
 
 /// Runs it with pipes instead of a terminal, and no input.

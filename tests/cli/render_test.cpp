@@ -97,6 +97,20 @@ TEST(Render, interrupted_it_stops_soon_and_leaves_nothing) {
     EXPECT_EQ(content_of(folder.path() / "b.png"), "old");
 }
 
+TEST(Render, a_file_that_may_not_grow_is_a_failed_write) {
+    const TemporaryFolder folder;
+    const auto expect_failure = [&](const std::vector<std::string>& arguments, const std::string& file) {
+        const Outcome outcome = run_program(arguments, {folder.path(), {}, 2048});
+        EXPECT_EQ(outcome.code, 1) << file;
+        EXPECT_THAT(outcome.err, HasSubstr("rayscope: can't write " + file + ": "));
+        EXPECT_THAT(outcome.err, HasSubstr("File too large"));
+        EXPECT_THAT(folder.names(), IsEmpty());
+    };
+    for (const char* file : {"a.png", "a.pfm", "a.exr"})
+        expect_failure({"render", "glass_bowl", "-o", file, "--size", "200x150"}, file);
+    expect_failure({"trace", "glass_bowl", "-o", "a.json"}, "a.json");
+}
+
 TEST(TraceCommand, writes_the_trace_of_the_library) {
     const TemporaryFolder folder;
     const Outcome outcome =

@@ -21,8 +21,34 @@ struct Mistake {
 
 TEST(Usage, mistakes_are_named_with_what_was_expected) {
     const std::vector<Mistake> mistakes{
-        {{}, "rayscope: A subcommand is required"},
-        {{"stp"}, "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, trace or render"},
+        {{}, "rayscope: no command; expected step, trace, render or help"},
+        {{""}, "rayscope: no command; expected step, trace, render or help"},
+        {{"stp"},
+         "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, trace, render or help"},
+        {{"help", "stp"}, "rayscope: unknown command 'stp'; did you mean 'step'?"},
+        {{"help", "step", "trace"}, "rayscope: unexpected argument 'trace'"},
+        {{"--version", "step"}, "rayscope: unexpected argument 'step'"},
+        {{"--help=5"}, "rayscope: unknown option '--help=5'; did you mean '--help'?"},
+        {{"step", "--no-png=maybe"}, "rayscope: --no-png takes no value"},
+        {{"--versoin"}, "rayscope: unknown option '--versoin'; did you mean '--version'?"},
+        {{"step", "trace"}, "rayscope: no scene file 'trace'"},
+        {{"step", "--pixel"}, "rayscope: --pixel: expected a value after it, found none"},
+        {{"step", "--pixel", "1,2", "--pixel", "1,2"}, "rayscope: --pixel is given twice"},
+        {{"render", "lens", "-o", "a.png", "-o", "b.png"}, "rayscope: -o is given twice"},
+        {{"step", ""}, "rayscope: expected a scene file (.toml, .nff), or the name of a scene"},
+        {{"render", "", "-o", "a.png"}, "rayscope: expected a scene file"},
+        {{"step", "--pixel", ""}, "rayscope: --pixel: expected X,Y: column and row"},
+        {{"step", "--ray", ""}, "rayscope: --ray: expected six finite numbers"},
+        {{"step", "--digits", ""}, "rayscope: --digits: expected a whole number from 1 to 17, found ''"},
+        {{"step", "--png", ""}, "rayscope: --png: no extension in '', expected .png"},
+        {{"step", "--size", ""}, "rayscope: --size: expected WIDTHxHEIGHT in pixels"},
+        {{"step", "--why", ""}, "rayscope: expected the name of a drawn object"},
+        {{"trace", "-o", ""}, "rayscope: -o: no extension in '', expected .json or .vtm"},
+        {{"render", "lens", "-o", ""}, "rayscope: -o: no extension in '', expected .png, .pfm or .exr"},
+        {{"render", "lens", "-o", "a.png", "--threads", ""}, "rayscope: --threads: expected a whole number"},
+        {{"render", "lens", "-o", "a.png", "--size", ""}, "rayscope: --size: expected WIDTHxHEIGHT"},
+        {{"render", "lens", "-o", "a.png", "--stats", ""},
+         "rayscope: --stats: no extension in '', expected .json"},
         {{"step", "--pixl", "1,2"}, "rayscope: unknown option '--pixl'; did you mean '--pixel'?"},
         {{"step", "glass_bowl", "lens"}, "rayscope: unexpected argument 'lens'"},
         {{"step", "glas_bowl"}, "rayscope: no scene file 'glas_bowl'; did you mean 'glass_bowl'?"},
@@ -88,6 +114,60 @@ TEST(Usage, a_wrong_scene_is_named_with_file_line_and_column) {
         EXPECT_THAT(outcome.err, StartsWith("bad.toml:3:1: "));
     }
     EXPECT_EQ(folder.names(), std::vector<std::string>{"bad.toml"});
+}
+
+TEST(Usage, help_is_a_command_too) {
+    const auto text = [](const std::vector<std::string>& arguments) {
+        const Outcome outcome = run_program(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out;
+    };
+    EXPECT_EQ(text({"help"}), text({"--help"}));
+    for (const char* command : {"step", "trace", "render"}) {
+        EXPECT_EQ(text({"help", command}), text({command, "--help"}));
+        EXPECT_THAT(text({"help", command}), HasSubstr(std::string("rayscope ") + command + " [OPTIONS]"));
+    }
+}
+
+TEST(Usage, the_version_is_told) {
+    const Outcome outcome = run_program({"--version"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.out, testing::MatchesRegex("rayscope [0-9]+\\.[0-9]+(\\.[0-9]+)?\n"));
+}
+
+TEST(Usage, a_folder_does_not_hide_a_shipped_scene) {
+    const TemporaryFolder folder;
+    create_directory(folder.path() / "lens");
+    const Outcome outcome = run_program({"render", "lens", "-o", "x.png", "--size", "8x6"}, {folder.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"lens", "x.png"}));
+    create_directory(folder.path() / "lens.toml");
+    EXPECT_THAT(run_program({"step", "lens.toml", "--no-png"}, {folder.path()}).err, StartsWith("lens.toml"));
+}
+
+TEST(Usage, names_of_files_do_not_steer_the_terminal) {
+    const TemporaryFolder folder;
+    const std::string scene = "s\xFF\x1B\u009B\u202E.toml";
+    copy_file(RAYSCOPE_SOURCE_DIR "/chapters/02_csg/two_spheres.toml", folder.path() / scene);
+    const auto expect_clean = [](const std::string& text, const std::string& part) {
+        EXPECT_THAT(text, HasSubstr(part));
+        for (const char* forbidden : {"\xFF", "\x1B", "\u009B", "\u202E"})
+            EXPECT_THAT(text, testing::Not(HasSubstr(forbidden)));
+    };
+    const Outcome step = run_program({"step", scene, "--no-png"}, {folder.path()});
+    EXPECT_EQ(step.code, 0) << step.err;
+    expect_clean(step.out, "s????.toml, pixel (240, 240)");
+    const Outcome trace = run_program({"trace", scene, "-o", "t\xFF.json"}, {folder.path()});
+    EXPECT_EQ(trace.code, 0) << trace.err;
+    expect_clean(trace.out, "t?.json\n");
+    EXPECT_THAT(content_of(folder.path() / "t\xFF.json"), HasSubstr("s\uFFFD"));
+    const Outcome render =
+        run_program({"render", scene, "-o", "i\x1B\xFF.png", "--size", "8x6"}, {folder.path()});
+    EXPECT_EQ(render.code, 0) << render.err;
+    expect_clean(render.out, "\ni??.png\n");
+    expect_clean(run_program({"step", "no\x1B\xFF.toml"}).err, "no??.toml");
+    expect_clean(run_program({"render", "lens", "-o", "no\x1B\xFF/a.png"}).err, "can't write no?"
+                                                                                "?/a.png");
 }
 
 TEST(Usage, every_help_has_an_example) {

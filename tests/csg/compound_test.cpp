@@ -40,7 +40,7 @@ bool tree_contains(const Workbench& bench, const Vec3d& p, double& nearest) {
         } else {
             const bool a = inside[node.left];
             inside.push_back(
-                holds(node.operation, a, node.operation != Operation::complement && inside[node.right]));
+                node.operation == Operation::complement ? !a : holds(node.operation, a, inside[node.right]));
         }
     }
     return inside.back();

@@ -92,7 +92,19 @@ TEST(Expression, Errors) {
     expect_error("a | (b - (c)", 4, "this '(' is never closed");
     expect_error("a | b)", 5, "this ')' closes nothing");
     expect_error(")", 0, "expected a name, '!' or '(', found ')'");
-    expect_error("a \x01", 2, "expected an operator (|, & or -), found a control character");
+    // What a terminal would obey is spelled out.
+    const std::string wanted = "expected an operator (|, & or -), found ";
+    expect_error("a \x01", 2, wanted + "U+0001");
+    expect_error("a \x7F", 2, wanted + "U+007F");
+    expect_error("a \u0080", 2, wanted + "U+0080");
+    expect_error("a \u009B", 2, wanted + "U+009B");
+    expect_error("a \u00A1", 2, wanted + "'\u00A1'");
+    expect_error("a \u202A", 2, wanted + "U+202A");
+    expect_error("a \u202E", 2, wanted + "U+202E");
+    expect_error("a \u2066", 2, wanted + "U+2066");
+    expect_error("a \u2069", 2, wanted + "U+2069");
+    expect_error("a \u2070", 2, wanted + "'\u2070'");
+    expect_error("a \xFF", 2, wanted + "bytes that are not UTF-8");
 }
 
 // Recursion would overflow the call stack, and anything quadratic would not end.

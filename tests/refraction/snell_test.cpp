@@ -27,9 +27,7 @@ TEST(Snell, sines_keep_the_ratio_of_the_speeds) {
             hex(d) + hex(n) + hex(from) + ' ' + hex(to) + " seed " + std::to_string(seed);
         const Vec3d unit = normalized(n);
         const double sine = length(cross(d, unit));
-        ASSERT_NEAR(length(r.facing), 1, 1e-15) << what;
-        ASSERT_LE(dot(r.facing, d), 0) << what;
-        ASSERT_NEAR(std::abs(dot(r.facing, unit)), 1, 1e-15) << what;
+        const Vec3d facing = dot(unit, d) > 0 ? -unit : unit;
         ASSERT_NEAR(r.cosine, std::abs(dot(d, unit)), 1e-15) << what;
         ASSERT_NEAR(r.sine, sine, 1e-15) << what;
         ASSERT_EQ(r.eta, to / from) << what;
@@ -38,16 +36,14 @@ TEST(Snell, sines_keep_the_ratio_of_the_speeds) {
         ASSERT_EQ(r.total(), r.eta * sine > 1) << what;
         if (r.total()) {
             ++total;
-            ASSERT_NEAR(length(r.direction - (d - 2 * dot(d, unit) * unit)), 0, 4e-15) << what;
             continue;
         }
         ++refracted;
         ASSERT_NEAR(length(r.direction), 1, 1e-14) << what;
-        ASSERT_LT(dot(r.direction, r.facing), 0) << "it goes on to the other side: " << what;
-        ASSERT_NEAR(length(cross(r.direction, r.facing)), r.eta * sine, 1e-14) << what;
+        ASSERT_LT(dot(r.direction, facing), 0) << "it goes on to the other side: " << what;
+        ASSERT_NEAR(length(cross(r.direction, facing)), r.eta * sine, 1e-14) << what;
         ASSERT_NEAR(dot(cross(d, r.direction), unit), 0, 1e-15) << "out of the plane of incidence: " << what;
-        ASSERT_GE(dot(cross(r.direction, r.facing), cross(d, r.facing)), 0)
-            << "bent across the normal: " << what;
+        ASSERT_GE(dot(cross(r.direction, facing), cross(d, facing)), 0) << "bent across the normal: " << what;
         ASSERT_NEAR(r.theta_from(), std::asin(std::min(1.0, sine)), 1e-7) << what;
         ASSERT_NEAR(std::sin(r.theta_to()), r.eta * sine, 1e-14) << what;
     }
@@ -78,7 +74,6 @@ TEST(Snell, straight_onto_the_surface_nothing_bends) {
     for (const double side : {1.0, -1.0}) {
         const Refraction<double> r = refract({0, 0, -1}, {0, 0, side}, 1.0, 0.5);
         EXPECT_EQ(r.direction, (Vec3d{0, 0, -1}));
-        EXPECT_EQ(r.facing, (Vec3d{0, 0, 1}));
         EXPECT_EQ(r.theta_from(), 0);
         EXPECT_EQ(r.theta_to(), 0);
     }
@@ -103,14 +98,7 @@ TEST(Snell, critical_angle_from_water_to_air) {
     // On the edge itself, where the radicand is 0, the ray runs along the surface.
     const Refraction<double> edge = refract({0.6, 0, -0.8}, {0, 0, 1}, 0.6, 1.0);
     EXPECT_NEAR(edge.radicand, 0, 1e-15);
-    EXPECT_FALSE((Refraction<double>{1, 0, 1, 0.0, {}, {}}.total()));
-}
-
-TEST(Snell, total_reflection_mirrors) {
-    const Refraction<double> r = refract(at_angle(60 * degree), {0, 0, -2}, 1 / 1.5, 1.0);
-    ASSERT_TRUE(r.total());
-    EXPECT_NEAR(r.direction.x, std::sin(60 * degree), 1e-15);
-    EXPECT_NEAR(r.direction.z, std::cos(60 * degree), 1e-15);
+    EXPECT_FALSE((Refraction<double>{1, 0, 1, 0.0, {}}.total()));
 }
 
 // cos² θ₂ against 113 bits: where a ray grazes and the media differ by little, 1 − η²(1 − cos²) would keep 4 digits.

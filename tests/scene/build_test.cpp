@@ -83,7 +83,7 @@ TEST(Expand, sub_expressions_that_double_are_refused_before_they_fill_the_memory
         (void)b.open();
         FAIL() << "2⁶⁰ nodes were accepted";
     } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("'c60' has more than 4194304 nodes"), std::string::npos)
+        EXPECT_NE(std::string(error.what()).find("more than 4194304 nodes"), std::string::npos)
             << error.what();
     }
 }

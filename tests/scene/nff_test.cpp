@@ -136,7 +136,9 @@ TEST(SceneNff, Errors) {
               "s.nff:2:1: the file has no viewpoint: expected 'v' with from, at, up and angle");
     EXPECT_EQ(error_of("v\nfrom 0 0 0\nat 0 0 1\nup 0 1 0\n"), "s.nff:1:1: the viewpoint has no 'angle'");
     EXPECT_EQ(error_of("v from 0 0 0 at 0 0 0 up 0 1 0 angle 3"),
-              "s.nff:1:1: 'eye' and 'look_at' are the same point");
+              "s.nff:1:1: 'from' and 'at' are the same point");
+    EXPECT_EQ(error_of("v from 0 0 0 at 0 2 0 up 0 1 0 angle 3"),
+              "s.nff:1:1: 'up' is parallel to the view from 'from' to 'at'");
     EXPECT_EQ(error_of("v\n angle 180"), "s.nff:2:8: expected an angle between 0 and 180 degrees, found 180");
     EXPECT_EQ(error_of("v\nresolution 0 1"),
               "s.nff:2:12: expected the width, an integer from 1 to 32768, found '0'");

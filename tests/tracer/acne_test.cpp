@@ -46,7 +46,7 @@ void expect_clean(const Generic<double>& shape, const Place& place, int count) {
         const auto hit = stage.closest(ray, Range<double>{}, nothing, work, recorder);
         if (!hit) continue;
         ++hits;
-        const auto at = interact(bench.world, ray, *hit, nothing, -1, work);
+        const auto at = interact(bench.world, ray, hit, nothing, none, work);
         Vec3d d = random.direction();
         if (random.coin()) d = normalized(d - (1 - random.decade(-6, 0)) * dot(d, at.normal) * at.normal);
         const double slope = dot(d, at.normal);
@@ -62,15 +62,15 @@ void expect_clean(const Generic<double>& shape, const Place& place, int count) {
                                  std::to_string(seed) + (outward ? " outward " : " inward ") + hex(ray) +
                                  hex(d);
         if (outward && convex) {
-            ASSERT_FALSE(again.has_value()) << "t " << hex(again->t) << ' ' << what;
+            ASSERT_FALSE(bool(again)) << "t " << hex((*again).t) << ' ' << what;
         }
         if (outward && !convex && again) {
-            ASSERT_TRUE(again->entering) << what;
+            ASSERT_TRUE((*again).entering) << what;
         }
         if (!outward && bounded) {
-            ASSERT_TRUE(again.has_value()) << what;
-            ASSERT_FALSE(again->entering) << what;
-            ASSERT_GT(again->t, 0) << what;
+            ASSERT_TRUE(bool(again)) << what;
+            ASSERT_FALSE((*again).entering) << what;
+            ASSERT_GT((*again).t, 0) << what;
         }
     }
     EXPECT_EQ(hits, count) << generic_name(shape) << place.name;

@@ -2,8 +2,10 @@
 
 #include "visualizer/cli/commands.hpp"
 #include "visualizer/cli/failure.hpp"
+#include "visualizer/cli/page.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -26,15 +28,15 @@ int guarded(int count, const char* const* arguments) {
         return std::visit([](const auto& options) { return run(options); },
                           cli::parse_options(count, arguments));
     } catch (const InputError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        std::fprintf(stderr, "%s\n", cli::harmless(error.what()).c_str());
         return cli::wrong_usage;
     } catch (const cli::UsageError& error) {
-        std::fprintf(stderr, "rayscope: %s\n", error.what());
+        std::fprintf(stderr, "rayscope: %s\n", cli::harmless(error.what()).c_str());
         return cli::wrong_usage;
     } catch (const std::bad_alloc&) {
         std::fputs("rayscope: not enough memory\n", stderr);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "rayscope: %s\n", error.what());
+        std::fprintf(stderr, "rayscope: %s\n", cli::harmless(error.what()).c_str());
     }
     return cli::failed;
 }
@@ -42,6 +44,7 @@ int guarded(int count, const char* const* arguments) {
 } // namespace
 
 int main(int count, char** arguments) {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is a failed write, told like any other
     const int code = guarded(count, arguments);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
     std::fprintf(stderr, "rayscope: can't write to standard output: %s\n", std::strerror(errno));

@@ -26,7 +26,8 @@ struct StepOptions {
     int digits = 6;
     std::string picture = "rayscope-step.png";
     bool picture_asked_for = false, no_picture = false;
-    std::optional<Size> size; ///< of the picture
+    std::optional<Size> size;       ///< of the picture
+    std::optional<std::string> why; ///< the drawn object of which to tell only why the rays did not end on it
 };
 
 struct TraceOptions {
@@ -35,12 +36,13 @@ struct TraceOptions {
 };
 
 struct RenderCommandOptions {
-    std::string scene, output, statistics;
+    std::string scene, output;
+    std::optional<std::string> statistics;
     std::optional<Size> size;
     int threads = 0;
 };
 
-/// What was asked for and is already answered: the text goes to stdout.
+/// Help or the version, already answered: the text goes to stdout.
 struct Help {
     std::string text;
 };

@@ -53,10 +53,16 @@ std::size_t columns(std::string_view text) {
 }
 
 std::string harmless(std::string_view text) {
-    std::string result(text);
-    std::replace_if(
-        result.begin(), result.end(),
-        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+        if (length == 0 || steers_terminal(utf8_code_point(character)))
+            result += '?';
+        else
+            result += character;
+        text.remove_prefix(character.size());
+    }
     return result;
 }
 

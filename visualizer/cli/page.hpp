@@ -16,7 +16,7 @@ inline constexpr const char* glue = "\u00A0";
 /// Columns that the text takes: characters, without colours. Control characters count, wide ones count once.
 [[nodiscard]] std::size_t columns(std::string_view text);
 
-/// The text in quotes is from a file: nothing in it may steer the terminal.
+/// Of a text from outside: what a terminal would obey, and what is no UTF-8, becomes '?'.
 [[nodiscard]] std::string harmless(std::string_view text);
 
 /// A page that grows downwards. Each text given is wrapped, and its further lines are indented to where it began.

@@ -19,7 +19,16 @@ std::string shadow_answer(const RayFinished& end, const Numbers& number) {
     return "visibility " + number.colour(end.colour);
 }
 
+/// Of the parts of a ray only its end is kept after that.
+void add_truncation(Page& page, const TracedRay& ray) {
+    if (ray.find<Truncated>() == nullptr) return;
+    page.gap();
+    page.line(
+        "Here the record was full: nothing more is kept, but the ends of the rays that were under way.");
+}
+
 void add_shadow_answer(Page& page, const Trace& trace, const TracedRay& ray, const StepStyle& style) {
+    add_truncation(page, ray);
     page.heading("Is the light seen?");
     for (const Event& event : ray.events)
         if (const auto* passed = std::get_if<BlockerPassed>(&event))
@@ -94,6 +103,7 @@ std::string ray_text(const Trace& trace, int index, const StepStyle& style) {
         add_hit(page, trace, index, style);
         add_light(page, trace, index, style);
         add_spawned(page, trace, index, style);
+        add_truncation(page, ray);
         add_sum(page, trace, index, style);
     }
     if (ray.find<RayFinished>() == nullptr)

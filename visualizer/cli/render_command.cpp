@@ -30,8 +30,7 @@ void catch_interrupts() {
 
 void check_arguments(const RenderCommandOptions& options) {
     check_output("-o", options.output, {".png", ".pfm", ".exr"});
-    if (options.statistics.empty()) return;
-    check_output("--stats", options.statistics, {".json"});
+    if (options.statistics) check_output("--stats", *options.statistics, {".json"});
 }
 
 } // namespace
@@ -81,7 +80,7 @@ int render(const RenderCommandOptions& options) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(options.output, error);
     report.file_bytes = error ? 0 : bytes;
-    if (!options.statistics.empty()) write_text_file(options.statistics, report_json(report));
+    if (options.statistics) write_text_file(*options.statistics, report_json(report));
     std::fputs(report_text(report).c_str(), stdout);
     return done;
 }

@@ -1,6 +1,6 @@
 #include "visualizer/cli/render_report.hpp"
 
-#include "visualizer/cli/paint.hpp"
+#include "visualizer/cli/page.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -64,7 +64,7 @@ std::string report_text(const RenderReport& report) {
         report.load.wall, report.build.wall, report.trace.wall, report.trace.cpu, report.write.wall);
     text += fmt::format("image   {} × {} pixels, {} bytes\n", report.width, report.height,
                         grouped(report.file_bytes));
-    return text + report.output + "\n";
+    return text + harmless(report.output) + "\n";
 }
 
 std::string report_json(const RenderReport& report) {

@@ -36,11 +36,17 @@ fs::path seen_from_here(const fs::path& path) {
     return error || relative.empty() || *relative.begin() == ".." ? path : relative;
 }
 
+/// A folder may have the name of a shipped scene.
+bool means_file(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::is_regular_file(status) || fs::is_fifo(status) || (fs::exists(status) && path.has_extension());
+}
+
 } // namespace
 
 fs::path find_scene(const std::string& text) {
-    std::error_code error;
-    if (fs::exists(text, error)) return text;
+    if (means_file(text)) return text;
     const std::string name = text.empty() ? "glass_bowl" : text;
     const auto scenes = shipped_scenes();
     if (const auto found = scenes.find(name); found != scenes.end()) return seen_from_here(found->second);

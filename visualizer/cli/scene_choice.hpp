@@ -7,7 +7,7 @@
 
 namespace rayscope::cli {
 
-/// The file of that path; if there is none, the shipped scene of that name (glass_bowl for glass_bowl.toml); for
+/// The file of that path (no folder, unless with an extension); if there is none, the shipped scene of that name (glass_bowl for glass_bowl.toml); for
 /// an empty text the glass bowl. Throws UsageError with near matches.
 [[nodiscard]] std::filesystem::path find_scene(const std::string& text);
 

@@ -1,6 +1,8 @@
 #include "visualizer/cli/session.hpp"
 
+#include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/line_input.hpp"
+#include "visualizer/cli/why_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +17,7 @@ struct Command {
     std::string_view name, letter, help;
 };
 
-constexpr std::array<Command, 11> commands{{
+constexpr std::array<Command, 12> commands{{
     {"next", "n", "the next ray, in the order of spawning"},
     {"in", "i", "the first ray that this one spawned"},
     {"over", "o", "the next ray that the same parent spawned; after the last one: out"},
@@ -24,6 +26,7 @@ constexpr std::array<Command, 11> commands{{
     {"goto", "g", "goto N: ray N of the tree; N alone does the same"},
     {"tree", "t", "the recursion, this ray marked"},
     {"ray", "r", "this ray again"},
+    {"why", "y", "why NAME: why this ray did not end on the drawn object of that name"},
     {"colour", "c", "the colour of the whole, and where it comes from"},
     {"help", "h", "this list"},
     {"quit", "q", "end (or Ctrl-D)"},
@@ -55,7 +58,7 @@ bool is_number(const std::string& text) {
 
 void Session::run() {
     LineInput input;
-    std::fputs("\nnext, in, over, out, back, goto N, tree, ray, colour, help, quit\n", stdout);
+    std::fputs("\nnext, in, over, out, back, goto N, tree, ray, why NAME, colour, help, quit\n", stdout);
     while (!ended_) {
         std::fputs("\n", stdout);
         const auto line = input.read(prompt());
@@ -87,7 +90,7 @@ std::string Session::answer(const std::string& line) {
         for (const Command& known : commands) names.push_back(known.name);
         return "unknown command " + in_quotes(word) + did_you_mean(word, names) + "; help lists them\n";
     }
-    if (!argument.empty() && command->name != "goto")
+    if (!argument.empty() && command->name != "goto" && command->name != "why")
         return std::string(command->name) + " takes nothing after it\n";
     last_ = argument.empty() ? std::string(command->name) : std::string(command->name) + " " + argument;
     return perform(std::string(command->name), argument);
@@ -103,6 +106,7 @@ std::string Session::perform(const std::string& command, const std::string& argu
     if (command == "tree") return tree_text(trace_, style_, current_);
     if (command == "ray") return ray_text(trace_, current_, style_);
     if (command == "colour") return result_text(trace_, style_);
+    if (command == "why") return why(argument);
     if (command == "help") return help();
     ended_ = true;
     return "";
@@ -152,6 +156,16 @@ std::string Session::go_to(const std::string& argument) {
         return "goto: expected a ray from 0 to " + std::to_string(trace_.rays.size() - 1) + ", found " +
                in_quotes(argument) + "\n";
     return go(int(ray));
+}
+
+std::string Session::why(const std::string& argument) const {
+    try {
+        Page page(style_.paint);
+        page.line(why_text(bench_, trace_, current_, find_drawn(bench_.scene, argument), style_.number));
+        return page.text();
+    } catch (const UsageError& error) {
+        return "why: " + std::string(error.what()) + "\n";
+    }
 }
 
 std::string Session::help() const {

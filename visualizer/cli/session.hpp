@@ -9,7 +9,9 @@ namespace rayscope::cli {
 
 class Session {
 public:
-    Session(const Trace& trace, const StepStyle& style) : trace_(trace), style_(style) {}
+    /// `trace` is of a ray of `bench`; all three must outlive the session.
+    Session(const Workbench& bench, const Trace& trace, const StepStyle& style)
+        : bench_(bench), trace_(trace), style_(style) {}
 
     /// Asks and answers on the terminal until quit or the end of input.
     void run();
@@ -31,8 +33,10 @@ private:
     [[nodiscard]] std::string out();
     [[nodiscard]] std::string back();
     [[nodiscard]] std::string go_to(const std::string& argument);
+    [[nodiscard]] std::string why(const std::string& argument) const;
     [[nodiscard]] std::string help() const;
 
+    const Workbench& bench_;
     const Trace& trace_;
     const StepStyle& style_;
     int current_ = 0;

@@ -74,8 +74,8 @@ void add_total(Page& page, const BoundaryChosen& hit, const TotallyReflected& to
               number.colour(total.coefficient) + ": one mirrored ray carries reflection + transmission");
 }
 
-std::string why_not(const Trace& trace, const TracedRay& ray, const NotSpawned& refused,
-                    const Numbers& number) {
+std::string refusal_text(const Trace& trace, const TracedRay& ray, const NotSpawned& refused,
+                         const Numbers& number) {
     const std::string would = "it would have carried the weight " + number(refused.weight);
     switch (refused.reason) {
     case Reason::coefficient_zero:
@@ -88,8 +88,8 @@ std::string why_not(const Trace& trace, const TracedRay& ray, const NotSpawned& 
     case Reason::weight:
         return would + ", less than min_weight " + number(trace.min_weight) + ", and is left out";
     case Reason::ray_limit: return "the sample has spent the scene's max_rays; " + would;
-    case Reason::total_internal_reflection: return "no refracted direction exists";
-    case Reason::leaves_solid: return "the ray leaves the solid";
+    case Reason::total_internal_reflection:
+    case Reason::leaves_solid: break; // neither keeps back a ray that is listed
     }
     return "";
 }
@@ -110,10 +110,11 @@ void add_spawned(Page& page, const Trace& trace, int index, const StepStyle& sty
     }
     for (const Event& event : ray.events) {
         const auto* refused = std::get_if<NotSpawned>(&event);
-        if (refused == nullptr) continue;
+        // That of a total reflection is told with the reflection.
+        if (refused == nullptr || refused->reason == Reason::total_internal_reflection) continue;
         if (!refusals) page.heading("Not followed");
         refusals = true;
-        page.item(name_of(refused->kind), why_not(trace, ray, *refused, style.number));
+        page.item(name_of(refused->kind), refusal_text(trace, ray, *refused, style.number));
     }
 }
 

@@ -8,6 +8,7 @@
 #include "visualizer/cli/session.hpp"
 #include "visualizer/cli/step_text.hpp"
 #include "visualizer/cli/warnings.hpp"
+#include "visualizer/cli/why_text.hpp"
 
 #include <cstdio>
 
@@ -41,7 +42,8 @@ void add_picture(const Trace& trace, const StepOptions& options) {
         try {
             check_output("the picture", options.picture, {".png"});
         } catch (const UsageError& error) {
-            std::fprintf(stderr, "rayscope: no picture: %s (--png FILE, --no-png)\n", error.what());
+            std::fprintf(stderr, "rayscope: no picture: %s (--png FILE, --no-png)\n",
+                         harmless(error.what()).c_str());
             return;
         }
         if (!can_draw()) {
@@ -50,7 +52,7 @@ void add_picture(const Trace& trace, const StepOptions& options) {
         }
     }
     draw(Drawing::png, trace, options.picture, options.size);
-    print("\npicture: " + options.picture + "\n");
+    print("\npicture: " + harmless(options.picture) + "\n");
 }
 
 } // namespace
@@ -62,10 +64,17 @@ int step(const StepOptions& options) {
     }
     const Workbench bench = open(find_scene(options.choice.scene));
     print_warnings(bench.scene);
+    std::optional<std::size_t> asked_for;
+    if (options.why) asked_for = find_drawn(bench.scene, *options.why);
     const Trace trace = trace_choice(bench, options.choice);
     const StepStyle style{Numbers(options.digits), Paint(wants_colours(STDOUT_FILENO))};
     const bool interactive = isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
 
+    if (asked_for) {
+        print(why_list(bench, trace, *asked_for, style));
+        if (options.picture_asked_for) add_picture(trace, options);
+        return done;
+    }
     print(title(trace, style) + tree_text(trace, style));
     if (interactive) {
         print(ray_text(trace, 0, style));
@@ -74,7 +83,7 @@ int step(const StepOptions& options) {
     }
     print(result_text(trace, style));
     add_picture(trace, options);
-    if (interactive) Session(trace, style).run();
+    if (interactive) Session(bench, trace, style).run();
     return done;
 }
 

@@ -3,6 +3,7 @@
 #include "visualizer/cli/commands.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/output_check.hpp"
+#include "visualizer/cli/page.hpp"
 #include "visualizer/cli/picture_process.hpp"
 #include "visualizer/cli/scene_choice.hpp"
 #include "visualizer/cli/warnings.hpp"
@@ -23,7 +24,7 @@ int trace(const TraceOptions& options) {
         draw(Drawing::vtm, traced, output);
     else
         write_trace(traced, output);
-    std::puts(options.output.c_str());
+    std::puts(harmless(options.output).c_str());
     return done;
 }
 

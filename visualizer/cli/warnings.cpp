@@ -1,5 +1,7 @@
 #include "visualizer/cli/warnings.hpp"
 
+#include "visualizer/cli/page.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -9,7 +11,7 @@ void print_warnings(const Scene& scene) {
     constexpr std::size_t most = 5;
     const auto& warnings = scene.warnings;
     for (std::size_t i = 0; i < std::min(warnings.size(), most); ++i)
-        std::fprintf(stderr, "warning: %s\n", warnings[i].c_str());
+        std::fprintf(stderr, "warning: %s\n", harmless(warnings[i]).c_str());
     if (warnings.size() > most) std::fprintf(stderr, "warning: … and %zu more\n", warnings.size() - most);
 }
 

@@ -31,6 +31,23 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     return 0;
 }
 
+/// The character that a valid `text` of one character stands for.
+[[nodiscard]] constexpr char32_t utf8_code_point(std::string_view character) {
+    const auto first = static_cast<unsigned char>(character.front());
+    if (first < 0x80) return first;
+    // The first byte says the length with as many ones, and a zero.
+    char32_t code = first & (0x7FU >> character.size());
+    for (const char c : character.substr(1)) code = (code << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
+    return code;
+}
+
+/// True for characters that a terminal obeys instead of showing them: control characters, and those that turn the
+/// direction of writing.
+[[nodiscard]] constexpr bool steers_terminal(char32_t c) {
+    return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x202A && c <= 0x202E) ||
+           (c >= 0x2066 && c <= 0x2069);
+}
+
 /// True for the bytes that a column does not count: those that continue a character.
 [[nodiscard]] constexpr bool continues_character(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
