@@ -99,8 +99,9 @@ template <Scalar T>
     at.error_bound = solid.error_bound(ray, at.hit.t, at.hit.surface.face);
     at.leaves_transmitting_solid = object.has_volume && !at.hit.entering && at.material->transmits();
 
-    // Along the normal the bound stays small where a graze makes that of t large.
-    const T distance = at.error_bound * magnitude(dot(at.normal, ray.direction));
+    // Along the normal the bound stays small where a graze makes that of t large; the point itself is rounded, too.
+    const T distance = at.error_bound * magnitude(dot(at.normal, ray.direction)) +
+                       epsilon<T> * dot(absolute(at.normal), absolute(at.point));
     leave_from<T>(at, world, leaving, work.coincident, distance);
     at.media = {medium, medium};
     if (at.material->transmits()) {

@@ -1,7 +1,11 @@
 #include "core/files/atomic_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+#include <csignal>
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace rayscope::test {
 namespace {
@@ -26,11 +30,25 @@ TEST(AtomicFile, appears_on_commit_with_its_whole_content) {
         AtomicFile file(path);
         std::ofstream(file.temporary()) << "new";
         EXPECT_FALSE(fs::exists(path));
-        EXPECT_EQ(file.temporary().parent_path(), path.parent_path());
         file.commit();
     }
     EXPECT_EQ(content_of(path), "new");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a.txt"});
+}
+
+TEST(AtomicFile, a_program_that_is_killed_leaves_nothing) {
+    const TemporaryFolder folder;
+    const pid_t child = fork();
+    if (child == 0) {
+        const AtomicFile file(folder.path() / "a.txt");
+        std::ofstream(file.temporary()) << "half";
+        std::raise(SIGKILL);
+    }
+    waitpid(child, nullptr, 0);
+    const int probe = ::open(folder.path().c_str(), O_TMPFILE | O_WRONLY, 0600);
+    if (probe < 0) GTEST_SKIP() << "this file system has no files without a name";
+    ::close(probe);
+    EXPECT_THAT(folder.names(), IsEmpty());
 }
 
 TEST(AtomicFile, without_commit_the_old_file_stays_and_nothing_else) {
