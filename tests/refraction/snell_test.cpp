@@ -107,8 +107,8 @@ TEST(Snell, grazing_rays_and_nearly_equal_media_keep_their_digits) {
         for (const double difference : {0x1p-44, -0x1p-44, 0x1p-30, -0x1p-52}) {
             const Vec3d d = normalized(Vec3d{0.6, 0.8, -slope});
             const double to = 1 - difference;
-            const Wide dd = Wide(d.x) * d.x + Wide(d.y) * d.y + Wide(d.z) * d.z;
-            const Wide cosine_squared = Wide(d.z) * d.z / dd, eta = Wide(to);
+            const Wide x = Wide(d.x), y = Wide(d.y), z = Wide(d.z), eta = Wide(to);
+            const Wide cosine_squared = z * z / (x * x + y * y + z * z);
             const double exact = double(1 - eta * eta * (1 - cosine_squared));
             const Refraction<double> r = refract(d, {0, 0, 1}, 1.0, to);
             EXPECT_NEAR(r.radicand / exact, 1, 1e-13) << slope << ' ' << difference;
