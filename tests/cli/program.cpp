@@ -91,7 +91,8 @@ bool TerminalProgram::read_more(std::chrono::steady_clock::time_point deadline) 
     if (left.count() <= 0 || poll(&waiting, 1, int(left.count())) <= 0) return false;
     char bytes[4096];
     const ssize_t count = read(terminal_, bytes, sizeof bytes);
-    if (count <= 0) return false; // the other side is closed
+    closed_ = count <= 0;
+    if (closed_) return false;
     buffer_.append(bytes, std::size_t(count));
     return true;
 }
@@ -109,8 +110,15 @@ std::string TerminalProgram::shown_until(const std::string& text) {
     return shown;
 }
 
-int TerminalProgram::code() {
+int TerminalProgram::code(const std::string& nudge) {
     const auto deadline = std::chrono::steady_clock::now() + patience;
+    // What is typed while the terminal changes its mode can be lost: so it is typed again.
+    for (auto again = std::chrono::steady_clock::now(); !nudge.empty() && !closed_ && again < deadline;) {
+        type(nudge);
+        again += std::chrono::seconds(1);
+        while (read_more(again)) {
+        }
+    }
     while (read_more(deadline)) {
     }
     if (std::chrono::steady_clock::now() >= deadline) {

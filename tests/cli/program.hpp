@@ -40,7 +40,8 @@ public:
     std::string shown_until(const std::string& text);
 
     /// Waits for the end: exit code, or 128 + signal. Fails the test if it does not come in time.
-    [[nodiscard]] int code();
+    /// @param nudge typed at once, and again every second until the program ends
+    [[nodiscard]] int code(const std::string& nudge = "");
 
     /// What was shown since the last shown_until; complete after code().
     [[nodiscard]] const std::string& rest() const { return buffer_; }
@@ -50,6 +51,7 @@ private:
     int terminal_ = -1;
     pid_t process_ = -1;
     std::string buffer_;
+    bool closed_ = false; // by the other side
 };
 
 } // namespace rayscope::test
