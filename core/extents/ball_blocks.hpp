@@ -3,14 +3,30 @@
 
 #include "core/world/world.hpp"
 
+#include <optional>
+
 namespace rayscope {
+
+/// The solid of an object that is a sphere in world space and without which the object has no crossing: a plain ball
+/// itself; of a compound, the operand from which all the rest is taken, as the outer sphere of a bowl.
+template <Scalar T>
+[[nodiscard]] std::optional<std::uint32_t> deciding_ball(const World<T>& world, const Object& object) {
+    if (world.is_ball(object)) return object.index;
+    if (!object.is_compound) return std::nullopt;
+    const Program& program = world.compounds[object.index].program;
+    const bool rest_is_guarded = program.size() > 1 && program[0].kind == Instruction::Kind::leaf &&
+                                 program[1].kind == Instruction::Kind::guard &&
+                                 program[1].operand == program.size();
+    if (!rest_is_guarded || !world.solids[program[0].operand].is_ball) return std::nullopt;
+    return program[0].operand;
+}
 
 template <Scalar T> class BallBlocks {
 public:
-    /// Takes up the plain solids that are world-space spheres.
+    /// Takes up the objects that deciding_ball names a ball for.
     explicit BallBlocks(const World<T>& world);
 
-    /// Calls hit(object) for each ball that the ray's line meets, in the order of the file, until it returns true.
+    /// Calls hit(object) for each object whose ball the ray's line meets, in the order of the file, until it returns true.
     /// The test is the Sphere kernel's own arithmetic, so a ball passes here exactly if its kernel finds a chord.
     /// @return how many balls were tested
     template <typename OnHit> std::size_t each_met(const Ray<T>& ray, const OnHit& hit) const;
@@ -25,8 +41,9 @@ private:
 template <Scalar T> BallBlocks<T>::BallBlocks(const World<T>& world) {
     for (std::uint32_t id = 0; id < world.objects.size(); ++id) {
         const Object& object = world.objects[id];
-        if (!world.is_ball(object)) continue;
-        const Solid<T>& solid = world.solids[object.index];
+        const auto ball = deciding_ball(world, object);
+        if (!ball) continue;
+        const Solid<T>& solid = world.solids[*ball];
         x_.push_back(solid.transform.translation().x);
         y_.push_back(solid.transform.translation().y);
         z_.push_back(solid.transform.translation().z);

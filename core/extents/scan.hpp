@@ -25,21 +25,26 @@ public:
 
 private:
     // Calls test(object, leaving surface or nullptr) for every object that may be hit, until it returns true.
-    template <typename Test>
+    template <typename Recorder, typename Test>
     void each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<T>& work, const Test& test) const;
 
     const World<T>& world_;
     BallBlocks<T> balls_;
-    std::vector<std::uint32_t> others_; // objects that are not balls, in the order of the file
+    std::vector<std::uint32_t> others_; // objects that no ball decides on, in the order of the file
+    std::vector<std::uint32_t>
+        not_balls_; // with the compounds that one decides on: a recorded ray tells of them too
 };
 
 template <Scalar T> Scan<T>::Scan(const World<T>& world) : world_(world), balls_(world) {
-    for (std::uint32_t id = 0; id < world.objects.size(); ++id)
-        if (!world.is_ball(world.objects[id])) others_.push_back(id);
+    for (std::uint32_t id = 0; id < world.objects.size(); ++id) {
+        const Object& object = world.objects[id];
+        if (!world.is_ball(object)) not_balls_.push_back(id);
+        if (!deciding_ball(world, object)) others_.push_back(id);
+    }
 }
 
 template <Scalar T>
-template <typename Test>
+template <typename Recorder, typename Test>
 void Scan<T>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<T>& work,
                              const Test& test) const {
     // What the ray leaves starts with a crossing at t = 0 that the blocks know nothing of.
@@ -47,15 +52,20 @@ void Scan<T>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<
         if (test(surface.object, &surface)) return;
     const auto untested = [&](std::uint32_t object) { return leaving.of(object) == nullptr; };
     bool done = false;
-    std::size_t met = 0;
+    std::size_t met = 0, later = Recorder::enabled ? not_balls_.size() - others_.size() : 0;
     const std::size_t balls = balls_.each_met(ray, [&](std::uint32_t object) {
         ++met; // counted by its test
+        if (Recorder::enabled && world_.objects[object].is_compound) {
+            --later;
+            return false; // its turn comes below
+        }
         return done = untested(object) && test(object, nullptr);
     });
-    work.counters.objects += balls - met;
-    work.counters.tests[Generic<T>(Sphere<T>{}).index()] += balls - met;
-    for (std::size_t i = 0; i < others_.size() && !done; ++i)
-        done = untested(others_[i]) && test(others_[i], nullptr);
+    const std::size_t unmet = balls - met - std::min(balls - met, later);
+    work.counters.objects += unmet;
+    work.counters.tests[Generic<T>(Sphere<T>{}).index()] += unmet;
+    const std::vector<std::uint32_t>& rest = Recorder::enabled ? not_balls_ : others_;
+    for (std::size_t i = 0; i < rest.size() && !done; ++i) done = untested(rest[i]) && test(rest[i], nullptr);
 }
 
 template <Scalar T>
@@ -63,7 +73,7 @@ template <typename Recorder>
 Nearest<T> Scan<T>::closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
                             Work<T>& work, Recorder& recorder) const {
     Nearest<T> nearest(ray);
-    each_candidate(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface<T>* start) {
+    each_candidate<Recorder>(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray, range, start, recorder);
         if (const auto first = first_of_object(world_, object, ray, range, start, work))
             nearest.offer({first->t, object, first->surface, first->entering});
@@ -78,7 +88,7 @@ bool Scan<T>::blocked(const Ray<T>& ray, const Range<T>& range, const Leaving<T>
                       Recorder& recorder) const {
     bool found = false;
     work.blockers.clear();
-    each_candidate(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface<T>* start) {
+    each_candidate<Recorder>(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray, range, start, recorder);
         if (!world_.material_of(object).transmits())
             return found = first_of_object(world_, object, ray, range, start, work).has_value();

@@ -112,7 +112,7 @@ std::string TerminalProgram::shown_until(const std::string& text) {
 
 int TerminalProgram::code(const std::string& nudge) {
     const auto deadline = std::chrono::steady_clock::now() + patience;
-    // What is typed while the terminal changes its mode can be lost: so it is typed again.
+    // What is typed while the terminal changes its mode can be lost or garbled: so it is typed again.
     for (auto again = std::chrono::steady_clock::now(); !nudge.empty() && !closed_ && again < deadline;) {
         type(nudge);
         again += std::chrono::seconds(1);

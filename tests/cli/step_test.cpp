@@ -122,7 +122,7 @@ TEST(StepSession, walks_through_the_tree) {
 TEST(StepSession, ends_with_the_input) {
     TerminalProgram program({"step", "glass_bowl", "--no-png"});
     program.shown_until("depth 0> ");
-    EXPECT_EQ(program.code("\x04"), 0);
+    EXPECT_EQ(program.code("\x15\x04"), 0);
 }
 
 TEST(StepSession, has_colours_unless_they_are_not_wanted) {
