@@ -4,19 +4,11 @@
 
 namespace rayscope::drawing {
 
-std::string object_title(const Scene& scene, std::size_t drawn) {
-    const SceneObject& object = scene.drawn[drawn];
-    if (object.is_compound) return scene.compounds[object.index].name;
-    const SceneGeneric& generic = scene.generics[object.index];
-    if (!generic.name.empty()) return generic.name;
-    return std::string(generic_name(generic.shape)) + " #" + std::to_string(object.index);
-}
-
 std::vector<Id> drawn_objects(const Trace& trace, const Scene& scene) {
     std::unordered_map<std::string, Id> by_name;
     for (const TraceObject& object : trace.objects) by_name.emplace(object.name, none);
     for (std::size_t i = 0; i < scene.drawn.size(); ++i)
-        if (const auto found = by_name.find(object_title(scene, i));
+        if (const auto found = by_name.find(object_title(scene, scene.drawn[i]));
             found != by_name.end() && found->second == none)
             found->second = Id(i);
     std::vector<Id> ids;

@@ -5,9 +5,6 @@
 
 namespace rayscope::drawing {
 
-/// The name under which a trace lists the drawn object: the author's, else "sphere #12".
-[[nodiscard]] std::string object_title(const Scene& scene, std::size_t drawn);
-
 /// For each of trace.objects its index into scene.drawn, which is the world's id too; none if the scene has no
 /// object of that name.
 [[nodiscard]] std::vector<Id> drawn_objects(const Trace& trace, const Scene& scene);

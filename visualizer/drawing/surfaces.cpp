@@ -105,7 +105,7 @@ Surfaces surfaces_near(const Workbench& bench, const Trace& trace, const std::ve
     for (const Candidate& candidate : candidates) {
         const int around = candidate.hit ? (hits <= 16 ? 96 : 40) : (candidates.size() <= 40 ? 48 : 24);
         Surface surface{candidate.drawn,
-                        object_title(scene, candidate.drawn),
+                        object_title(scene, scene.drawn[candidate.drawn]),
                         candidate.hit,
                         false,
                         is_plane(scene, candidate.drawn),
