@@ -30,8 +30,8 @@ template <Scalar T> struct Cone {
     }
     [[nodiscard]] T value(const Vec3<T>& p) const {
         const ConeWall<T> w(top);
-        const T cosine = T(1) / std::sqrt(std::fma(w.slope, w.slope, T(1)));
-        return maximum((std::sqrt(std::fma(p.x, p.x, p.y * p.y)) - w.radius(p.z)) * cosine,
+        const T cosine = T(1) / sqrt(fma(w.slope, w.slope, T(1)));
+        return maximum((sqrt(fma(p.x, p.x, p.y * p.y)) - w.radius(p.z)) * cosine,
                        magnitude(p.z) - T(1));
     }
     [[nodiscard]] T curvature(const Vec3<T>& p, const Vec3<T>& d, int face) const {

@@ -25,10 +25,10 @@ template <Scalar T> struct Cylinder {
         return {T(0), T(0), face == top ? T(1) : T(-1)};
     }
     [[nodiscard]] T value(const Vec3<T>& p) const {
-        return maximum(std::sqrt(std::fma(p.x, p.x, p.y * p.y)), magnitude(p.z)) - T(1);
+        return maximum(sqrt(fma(p.x, p.x, p.y * p.y)), magnitude(p.z)) - T(1);
     }
     [[nodiscard]] T curvature(const Vec3<T>& /*p*/, const Vec3<T>& d, int face) const {
-        return face == wall ? std::fma(d.x, d.x, d.y * d.y) : T(0);
+        return face == wall ? fma(d.x, d.x, d.y * d.y) : T(0);
     }
     [[nodiscard]] Box<T> bounds() const { return {Vec3<T>{T(-1)}, Vec3<T>{T(1)}}; }
 };

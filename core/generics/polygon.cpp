@@ -13,7 +13,7 @@ template <Scalar T> Intervals<T> Polygon<T>::intervals(const Ray<T>& ray, int le
     const T slope = dot(normal_, ray.direction);
     if (slope == T(0) || leaving == 0) return found; // a line meets a plane once
     const T t = dot(normal_, vertices_.front() - ray.origin) / slope;
-    if (std::isfinite(t) && encloses(ray)) found.append({t, t, 0, 0});
+    if (is_finite(t) && encloses(ray)) found.append({t, t, 0, 0});
     return found;
 }
 
@@ -27,7 +27,7 @@ template <Scalar T> bool Polygon<T>::encloses(const Ray<T>& ray) const {
     const T shear_x = ray.direction[x] / ray.direction[z], shear_y = ray.direction[y] / ray.direction[z];
     const auto sheared = [&](const Vec3<T>& vertex) {
         const Vec3<T> v = vertex - ray.origin;
-        return std::pair{std::fma(-shear_x, v[z], v[x]), std::fma(-shear_y, v[z], v[y])};
+        return std::pair{fma(-shear_x, v[z], v[x]), fma(-shear_y, v[z], v[y])};
     };
     bool inside = false;
     auto a = sheared(vertices_.back());

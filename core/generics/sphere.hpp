@@ -29,9 +29,9 @@ template <Scalar T> struct Sphere {
         }
         const Chord chord = Chord::of(o.x, o.y, o.z, d.x, d.y, d.z, dd, T(1) / dd, radius);
         if (!(chord.squared > T(0))) return {};
-        const T half = std::sqrt(chord.squared / dd);
+        const T half = sqrt(chord.squared / dd);
         Interval<T> inside{chord.middle - half, chord.middle + half, 0, 0};
-        const T C = std::fma(o.x, o.x, std::fma(o.y, o.y, std::fma(o.z, o.z, -radius * radius)));
+        const T C = fma(o.x, o.x, fma(o.y, o.y, fma(o.z, o.z, -radius * radius)));
         mend_small_root(inside.enter, inside.exit, half, dd, C);
         return Intervals<T>(inside);
     }
@@ -42,12 +42,12 @@ template <Scalar T> struct Sphere {
         T squared, middle;
 
         [[nodiscard]] static Chord of(T ox, T oy, T oz, T dx, T dy, T dz, T dd, T inverse_dd, T radius) {
-            const T rough = -std::fma(oz, dz, std::fma(oy, dy, ox * dx)) * inverse_dd;
-            const T qx = std::fma(rough, dx, ox), qy = std::fma(rough, dy, oy), qz = std::fma(rough, dz, oz);
+            const T rough = -fma(oz, dz, fma(oy, dy, ox * dx)) * inverse_dd;
+            const T qx = fma(rough, dx, ox), qy = fma(rough, dy, oy), qz = fma(rough, dz, oz);
             // Rounding leaves q a little off the closest point: so far, in t.
-            const T residual = std::fma(qz, dz, std::fma(qy, dy, qx * dx)) * inverse_dd;
-            const T qq = std::fma(qz, qz, std::fma(qy, qy, qx * qx));
-            return {std::fma(residual * residual, dd, std::fma(radius, radius, -qq)), rough - residual};
+            const T residual = fma(qz, dz, fma(qy, dy, qx * dx)) * inverse_dd;
+            const T qq = fma(qz, qz, fma(qy, qy, qx * qx));
+            return {fma(residual * residual, dd, fma(radius, radius, -qq)), rough - residual};
         }
     };
 

@@ -31,9 +31,9 @@ template <Scalar T> struct Torus {
         const T outer = T(1) + minor;
         const T reach_squared = outer * outer - dot(q, q);
         if (!(reach_squared > T(-8) * epsilon<T>)) return {};
-        const T speed = std::sqrt(dd);
+        const T speed = sqrt(dd);
         const Line line{q, d / speed};
-        const Interval<T> part = around(line, std::sqrt(maximum(reach_squared, T(0))));
+        const Interval<T> part = around(line, sqrt(maximum(reach_squared, T(0))));
         if (part.empty()) return {};
 
         std::array<T, 5> ends{};
@@ -64,14 +64,14 @@ template <Scalar T> struct Torus {
 
     /// Points away from the ring's core circle.
     [[nodiscard]] Vec3<T> normal(const Vec3<T>& p, int /*face*/) const {
-        const T rho = std::sqrt(std::fma(p.x, p.x, p.y * p.y));
+        const T rho = sqrt(fma(p.x, p.x, p.y * p.y));
         const T scale = rho > T(0) ? from_core(p.x, p.y, rho) / rho : T(0);
         return {p.x * scale, p.y * scale, p.z};
     }
     [[nodiscard]] T value(const Vec3<T>& p) const {
-        const T rho = std::sqrt(std::fma(p.x, p.x, p.y * p.y));
+        const T rho = sqrt(fma(p.x, p.x, p.y * p.y));
         const T w = from_core(p.x, p.y, rho);
-        return std::sqrt(std::fma(w, w, p.z * p.z)) - minor;
+        return sqrt(fma(w, w, p.z * p.z)) - minor;
     }
     /// At most the larger of the two principal curvatures, times |d|².
     [[nodiscard]] T curvature(const Vec3<T>& /*p*/, const Vec3<T>& d, int /*face*/) const {
@@ -89,17 +89,17 @@ private:
 
     // ρ − 1 without cancellation.
     [[nodiscard]] static T from_core(T x, T y, T rho) {
-        return std::fma(x, x, std::fma(y, y, T(-1))) / (rho + T(1));
+        return fma(x, x, fma(y, y, T(-1))) / (rho + T(1));
     }
 
     [[nodiscard]] Jet<T> distance(const Line& line, T s) const {
-        const T x = std::fma(s, line.e.x, line.q.x), y = std::fma(s, line.e.y, line.q.y),
-                z = std::fma(s, line.e.z, line.q.z);
-        const T rho = std::sqrt(std::fma(x, x, y * y));
+        const T x = fma(s, line.e.x, line.q.x), y = fma(s, line.e.y, line.q.y),
+                z = fma(s, line.e.z, line.q.z);
+        const T rho = sqrt(fma(x, x, y * y));
         const T w = from_core(x, y, rho);
-        const T rho_slope = rho > T(0) ? std::fma(x, line.e.x, y * line.e.y) / rho : T(0);
-        return {std::fma(w, w, difference_of_products(z, z, minor, minor)),
-                T(2) * std::fma(w, rho_slope, z * line.e.z)};
+        const T rho_slope = rho > T(0) ? fma(x, line.e.x, y * line.e.y) / rho : T(0);
+        return {fma(w, w, difference_of_products(z, z, minor, minor)),
+                T(2) * fma(w, rho_slope, z * line.e.z)};
     }
 
     // Where the line is in the sphere and in the slab |z| ≤ minor, each a little larger than the torus.
@@ -115,9 +115,9 @@ private:
     [[nodiscard]] int monotone_pieces(const Line& line, const Interval<T>& part,
                                       std::array<T, 5>& ends) const {
         const auto& [q, e] = line;
-        const T k = std::fma(T(1) - minor, T(1) + minor, dot(q, q));
+        const T k = fma(T(1) - minor, T(1) + minor, dot(q, q));
         const T b = T(2) * dot(q, e);
-        const T A = std::fma(e.x, e.x, e.y * e.y), B = T(2) * std::fma(q.x, e.x, q.y * e.y);
+        const T A = fma(e.x, e.x, e.y * e.y), B = T(2) * fma(q.x, e.x, q.y * e.y);
         const std::array<T, 4> derivative{T(2) * b * k - T(4) * B, T(2) * (b * b + T(2) * k - T(4) * A),
                                           T(6) * b, T(4)};
         const CubicRoots<T> turns = cubic_sign_changes(derivative, part.enter, part.exit);
@@ -135,7 +135,7 @@ private:
         const bool outward = slope > T(0);
         const T offset = T(2) * magnitude(value(ray.origin)) / magnitude(slope);
         const T reach =
-            maximum(T(4) * std::sqrt(epsilon<T>) / speed, minimum(offset, minor / (T(4) * speed)));
+            maximum(T(4) * sqrt(epsilon<T>) / speed, minimum(offset, minor / (T(4) * speed)));
         T* nearest = nullptr;
         for (int i = outward ? 1 : 0; i < count; i += 2) {
             T& root = roots[std::size_t(i)];

@@ -12,10 +12,10 @@ namespace rayscope {
 template <Scalar T>
 [[nodiscard]] Interval<T> inside_cylinder_wall(const Ray<T>& ray, int face, bool leaving) {
     const T ox = ray.origin.x, oy = ray.origin.y, dx = ray.direction.x, dy = ray.direction.y;
-    const T A = std::fma(dx, dx, dy * dy);
-    const T B = std::fma(ox, dx, oy * dy);
+    const T A = fma(dx, dx, dy * dy);
+    const T B = fma(ox, dx, oy * dy);
     if (A == T(0)) { // along the axis
-        const bool inside = std::fma(ox, ox, oy * oy) <= T(1);
+        const bool inside = fma(ox, ox, oy * oy) <= T(1);
         return inside && !leaving ? Interval<T>{} : Interval<T>::nothing();
     }
     if (leaving) {
@@ -23,14 +23,14 @@ template <Scalar T>
         return {minimum(T(0), other), maximum(T(0), other), face, face};
     }
     const T rough = -B / A;
-    const T qx = std::fma(rough, dx, ox), qy = std::fma(rough, dy, oy);
-    const T residual = std::fma(qx, dx, qy * dy) / A;
-    const T squared = std::fma(residual * residual, A, T(1) - std::fma(qx, qx, qy * qy));
+    const T qx = fma(rough, dx, ox), qy = fma(rough, dy, oy);
+    const T residual = fma(qx, dx, qy * dy) / A;
+    const T squared = fma(residual * residual, A, T(1) - fma(qx, qx, qy * qy));
     if (!(squared > T(0))) return Interval<T>::nothing();
-    const T half = std::sqrt(squared / A);
+    const T half = sqrt(squared / A);
     const T middle = rough - residual;
     Interval<T> inside{middle - half, middle + half, face, face};
-    const T C = std::fma(ox, ox, std::fma(oy, oy, T(-1)));
+    const T C = fma(ox, ox, fma(oy, oy, T(-1)));
     mend_small_root(inside.enter, inside.exit, half, A, C);
     return inside;
 }
@@ -40,7 +40,7 @@ template <Scalar T> struct ConeWall {
     T mean, slope;
 
     explicit ConeWall(T top) : mean((T(1) + top) / T(2)), slope((T(1) - top) / T(2)) {}
-    [[nodiscard]] T radius(T z) const { return std::fma(-slope, z, mean); }
+    [[nodiscard]] T radius(T z) const { return fma(-slope, z, mean); }
 
     /// The t with x² + y² < w², on the nappe w > 0; `within` is the slab, where that nappe is the only one.
     /// With (x, y, w) and their directions, A t² + 2 B t + C < 0 for the form x² + y² − w²; taken about the point
@@ -53,24 +53,24 @@ template <Scalar T> struct ConeWall {
         const T dx = ray.direction.x, dy = ray.direction.y, dw = -slope * ray.direction.z;
         const T A = form(dx, dy, dw);
         if (leaving) {
-            const T B = std::fma(ox, dx, difference_of_products(oy, dy, ow, dw));
+            const T B = fma(ox, dx, difference_of_products(oy, dy, ow, dw));
             const T other = A != T(0) ? T(-2) * B / A : infinity<T>;
             return between(A, B, T(0), minimum(T(0), other), maximum(T(0), other), dw, within, face);
         }
-        const T dd = std::fma(dx, dx, std::fma(dy, dy, dw * dw));
-        const T start = -std::fma(ox, dx, std::fma(oy, dy, ow * dw)) / dd;
-        const T x = std::fma(start, dx, ox), y = std::fma(start, dy, oy), w = std::fma(start, dw, ow);
-        const T B = std::fma(x, dx, difference_of_products(y, dy, w, dw));
-        const T C = std::fma(x, x, difference_of_products(y, y, w, w));
+        const T dd = fma(dx, dx, fma(dy, dy, dw * dw));
+        const T start = -fma(ox, dx, fma(oy, dy, ow * dw)) / dd;
+        const T x = fma(start, dx, ox), y = fma(start, dy, oy), w = fma(start, dw, ow);
+        const T B = fma(x, dx, difference_of_products(y, dy, w, dw));
+        const T C = fma(x, x, difference_of_products(y, y, w, w));
         const T m1 = difference_of_products(x, dw, w, dx), m2 = difference_of_products(y, dw, w, dy),
                 m3 = difference_of_products(x, dy, y, dx);
-        const T D = std::fma(m1, m1, difference_of_products(m2, m2, m3, m3));
+        const T D = fma(m1, m1, difference_of_products(m2, m2, m3, m3));
         if (A > T(0) && !(D > T(0))) return Interval<T>::nothing();
         if (A == T(0)) {
             const T root = B != T(0) ? start - C / (T(2) * B) : T(0);
             return between(A, B, C, root, root, dw, within, face);
         }
-        const auto [first, second] = quadratic_roots(A, B, C, std::sqrt(maximum(D, T(0))));
+        const auto [first, second] = quadratic_roots(A, B, C, sqrt(maximum(D, T(0))));
         return between(A, B, C, first + start, second + start, dw, within, face);
     }
 
@@ -83,7 +83,7 @@ template <Scalar T> struct ConeWall {
     }
 
 private:
-    [[nodiscard]] static T form(T x, T y, T w) { return std::fma(x, x, difference_of_products(y, y, w, w)); }
+    [[nodiscard]] static T form(T x, T y, T w) { return fma(x, x, difference_of_products(y, y, w, w)); }
 
     // The sign of A says on which side of its roots the line is inside.
     [[nodiscard]] static Interval<T> between(T A, T B, T C, T first, T second, T dw,

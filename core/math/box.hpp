@@ -25,7 +25,7 @@ template <Scalar T> struct Box {
     }
     [[nodiscard]] bool bounded() const {
         for (int i = 0; i < 3; ++i)
-            if (!std::isfinite(low[i]) || !std::isfinite(high[i])) return false;
+            if (!is_finite(low[i]) || !is_finite(high[i])) return false;
         return true;
     }
 };

@@ -12,8 +12,8 @@ template <Scalar T> struct Ray {
     Vec3<T> direction;
 
     [[nodiscard]] Vec3<T> at(T t) const {
-        return {std::fma(t, direction.x, origin.x), std::fma(t, direction.y, origin.y),
-                std::fma(t, direction.z, origin.z)};
+        return {fma(t, direction.x, origin.x), fma(t, direction.y, origin.y),
+                fma(t, direction.z, origin.z)};
     }
 };
 

@@ -53,8 +53,8 @@ template <Scalar T, typename F>
 
 /// Value and slope of the cubic c[0] + c[1] t + c[2] t² + c[3] t³.
 template <Scalar T> [[nodiscard]] Jet<T> cubic(const std::array<T, 4>& c, T t) {
-    const T v2 = std::fma(c[3], t, c[2]), v1 = std::fma(v2, t, c[1]);
-    return {std::fma(v1, t, c[0]), std::fma(std::fma(c[3], t, v2), t, v1)};
+    const T v2 = fma(c[3], t, c[2]), v1 = fma(v2, t, c[1]);
+    return {fma(v1, t, c[0]), fma(fma(c[3], t, v2), t, v1)};
 }
 
 /// The places in (low, high) where the cubic changes sign, ascending; at most three. They are as precise as their
@@ -64,13 +64,13 @@ template <Scalar T> struct CubicRoots {
     int count = 0;
 };
 template <Scalar T> [[nodiscard]] CubicRoots<T> cubic_sign_changes(const std::array<T, 4>& c, T low, T high) {
-    const T precision = std::sqrt(epsilon<T>) / T(8);
+    const T precision = sqrt(epsilon<T>) / T(8);
     // Where the cubic itself turns: 3 c₃ t² + 2 c₂ t + c₁ = 0.
     std::array<T, 3> ends{high, high, high};
     const T discriminant = difference_of_products(c[2], c[2], T(3) * c[3], c[1]);
     int pieces = 1;
     if (discriminant > T(0) && c[3] != T(0)) {
-        const auto [first, second] = quadratic_roots(T(3) * c[3], c[2], c[1], std::sqrt(discriminant));
+        const auto [first, second] = quadratic_roots(T(3) * c[3], c[2], c[1], sqrt(discriminant));
         pieces = 0;
         if (low < first && first < high) ends[std::size_t(pieces++)] = first;
         if (low < second && second < high) ends[std::size_t(pieces++)] = second;

@@ -37,10 +37,10 @@ public:
 
 private:
     [[nodiscard]] T row(int i, const Vec3<T>& v) const {
-        return std::fma(inverse_[i][0], v.x, std::fma(inverse_[i][1], v.y, inverse_[i][2] * v.z));
+        return fma(inverse_[i][0], v.x, fma(inverse_[i][1], v.y, inverse_[i][2] * v.z));
     }
     [[nodiscard]] T column(T x, T y, T z, int j) const {
-        return std::fma(inverse_[0][j], x, std::fma(inverse_[1][j], y, inverse_[2][j] * z));
+        return fma(inverse_[0][j], x, fma(inverse_[1][j], y, inverse_[2][j] * z));
     }
     [[nodiscard]] Vec3<T> apply(const Vec3<T>& v) const { return {row(0, v), row(1, v), row(2, v)}; }
     [[nodiscard]] Vec3<T> spread(const Vec3<T>& v) const {

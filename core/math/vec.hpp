@@ -22,7 +22,7 @@ using Colour = Vec3d;
 
 /// a·b, fused from x to z: the same bits in every build.
 template <Scalar T> [[nodiscard]] inline T dot(const Vec3<T>& a, const Vec3<T>& b) {
-    return std::fma(a.z, b.z, std::fma(a.y, b.y, a.x * b.x));
+    return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x));
 }
 
 /// a × b, each component within 2 ulp.
@@ -44,7 +44,7 @@ template <Scalar T> [[nodiscard]] inline T length(const Vec3<T>& v) {
     const T scale = largest_component(absolute(v));
     if (!(scale > T(0)) || !(scale < infinity<T>)) return scale;
     const Vec3<T> w = v / scale;
-    return scale * std::sqrt(dot(w, w));
+    return scale * sqrt(dot(w, w));
 }
 
 /// v / |v|; the zero vector stays zero.
@@ -52,7 +52,7 @@ template <Scalar T> [[nodiscard]] inline Vec3<T> normalized(const Vec3<T>& v) {
     const T scale = largest_component(absolute(v));
     if (!(scale > T(0))) return v;
     const Vec3<T> w = v / scale;
-    return w / std::sqrt(dot(w, w));
+    return w / sqrt(dot(w, w));
 }
 
 } // namespace rayscope

@@ -14,7 +14,7 @@ template <Scalar T> struct Refraction {
     Vec3<T> direction; ///< of the refracted ray, unit; without meaning if total()
     [[nodiscard]] bool total() const { return radicand < T(0); }
     [[nodiscard]] T theta_from() const { return std::atan2(sine, cosine); }
-    [[nodiscard]] T theta_to() const { return std::atan2(eta * sine, std::sqrt(radicand)); }
+    [[nodiscard]] T theta_to() const { return std::atan2(eta * sine, sqrt(radicand)); }
 };
 
 /// Angle of incidence beyond which everything is reflected; exists only on the way into a faster medium.
@@ -42,13 +42,13 @@ template <Scalar T> [[nodiscard]] Refraction<T> refract(Vec3<T> d, Vec3<T> n, T 
     const Vec3<T> turn = cross(d, n);
     const T sine = length(turn);
     if (sine < cosine)
-        cosine = std::sqrt((T(1) - sine) * (T(1) + sine)); // near the normal the sine knows more
+        cosine = sqrt((T(1) - sine) * (T(1) + sine)); // near the normal the sine knows more
     const T eta = speed_to / speed_from;
     const T one_minus = (speed_from - speed_to) / speed_from;
     const T one_plus = (speed_from + speed_to) / speed_from;
-    const T radicand = std::fma(sine * one_minus, sine * one_plus, cosine * cosine);
+    const T radicand = fma(sine * one_minus, sine * one_plus, cosine * cosine);
     if (speed_from == speed_to || radicand < T(0)) return {eta, cosine, sine, radicand, d};
-    return {eta, cosine, sine, radicand, eta * cross(n, turn) - std::sqrt(radicand) * n};
+    return {eta, cosine, sine, radicand, eta * cross(n, turn) - sqrt(radicand) * n};
 }
 
 } // namespace rayscope

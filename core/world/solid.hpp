@@ -65,12 +65,12 @@ template <Scalar T> [[nodiscard]] T root_shift(T delta, T slope, T curvature) {
     const T half_chord = slope / curvature;
     const T change = T(2) * delta / curvature; // of the squared half chord
     const T squared = half_chord * half_chord;
-    if (squared < change) return std::sqrt(change);
-    return change / (half_chord + std::sqrt(squared - change));
+    if (squared < change) return sqrt(change);
+    return change / (half_chord + sqrt(squared - change));
 }
 
 template <Scalar T> T Solid<T>::error_bound(const Ray<T>& ray, T t, int face, T off) const {
-    if (!std::isfinite(t)) return T(0);
+    if (!is_finite(t)) return T(0);
     const Ray<T> moved = transform.to_object(ray);
     const Vec3<T> p = moved.at(t);
     return std::visit(

@@ -60,7 +60,7 @@ public:
     /// What is offered is kept if it lies within `margin` of the nearest. The margin is far above the error bounds of
     /// any two crossings that coincide; who reads the list compares those.
     explicit Nearest(const Ray<T>& ray)
-        : absolute_(largest_component(absolute(ray.origin)) * std::sqrt(epsilon<T>)) {}
+        : absolute_(largest_component(absolute(ray.origin)) * sqrt(epsilon<T>)) {}
 
     void offer(const Hit<T>& hit) {
         if (count_ == 0) {
@@ -84,7 +84,7 @@ public:
 private:
     [[nodiscard]] bool close(const Hit<T>& hit) const {
         constexpr T relative = T(1) / T(1 << 20);
-        return hit.t - hits_[0].t <= std::fma(relative, magnitude(hits_[0].t), absolute_);
+        return hit.t - hits_[0].t <= fma(relative, magnitude(hits_[0].t), absolute_);
     }
     void add_if_close(const Hit<T>& hit) {
         if (!close(hit)) return;
