@@ -31,8 +31,7 @@ template <Scalar T> struct Cone {
     [[nodiscard]] T value(const Vec3<T>& p) const {
         const ConeWall<T> w(top);
         const T cosine = T(1) / sqrt(fma(w.slope, w.slope, T(1)));
-        return maximum((sqrt(fma(p.x, p.x, p.y * p.y)) - w.radius(p.z)) * cosine,
-                       magnitude(p.z) - T(1));
+        return maximum((sqrt(fma(p.x, p.x, p.y * p.y)) - w.radius(p.z)) * cosine, magnitude(p.z) - T(1));
     }
     [[nodiscard]] T curvature(const Vec3<T>& p, const Vec3<T>& d, int face) const {
         return face == wall ? ConeWall<T>(top).curvature(p, d) : T(0);

@@ -88,9 +88,7 @@ private:
     };
 
     // ρ − 1 without cancellation.
-    [[nodiscard]] static T from_core(T x, T y, T rho) {
-        return fma(x, x, fma(y, y, T(-1))) / (rho + T(1));
-    }
+    [[nodiscard]] static T from_core(T x, T y, T rho) { return fma(x, x, fma(y, y, T(-1))) / (rho + T(1)); }
 
     [[nodiscard]] Jet<T> distance(const Line& line, T s) const {
         const T x = fma(s, line.e.x, line.q.x), y = fma(s, line.e.y, line.q.y),
@@ -134,8 +132,7 @@ private:
         const T slope = dot(normalized(normal(ray.origin, 0)), ray.direction);
         const bool outward = slope > T(0);
         const T offset = T(2) * magnitude(value(ray.origin)) / magnitude(slope);
-        const T reach =
-            maximum(T(4) * sqrt(epsilon<T>) / speed, minimum(offset, minor / (T(4) * speed)));
+        const T reach = maximum(T(4) * sqrt(epsilon<T>) / speed, minimum(offset, minor / (T(4) * speed)));
         T* nearest = nullptr;
         for (int i = outward ? 1 : 0; i < count; i += 2) {
             T& root = roots[std::size_t(i)];

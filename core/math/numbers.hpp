@@ -37,6 +37,10 @@ concept Numbers = requires { typename numbers::Traits<N>::Scalar; };
 template <Numbers N> using ScalarOf = typename numbers::Traits<N>::Scalar;
 template <Numbers N> inline constexpr bool is_textbook = numbers::Traits<N>::method == Method::textbook;
 
+/// Where the schoolbook lets a secondary ray begin, lest it meet the surface that it leaves: the usual constant, right
+/// for scenes of the usual size alone. The stable way names the surfaces that are left, and needs none.
+template <Scalar T> inline constexpr T schoolbook_start = T(1e-4);
+
 enum class ScalarType { float32, float64, float80, float128 };
 
 /// The same, chosen while the program runs.

@@ -12,10 +12,14 @@ template <Scalar T> struct Ray {
     Vec3<T> direction;
 
     [[nodiscard]] Vec3<T> at(T t) const {
-        return {fma(t, direction.x, origin.x), fma(t, direction.y, origin.y),
-                fma(t, direction.z, origin.z)};
+        return {fma(t, direction.x, origin.x), fma(t, direction.y, origin.y), fma(t, direction.z, origin.z)};
     }
 };
+
+/// The ray in another number type, each component rounded.
+template <Scalar To, Scalar From> [[nodiscard]] Ray<To> as(const Ray<From>& ray) {
+    return {as<To>(ray.origin), as<To>(ray.direction)};
+}
 
 /// The open interval of t in which a crossing counts.
 template <Scalar T> struct Range {

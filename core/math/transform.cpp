@@ -5,19 +5,17 @@
 namespace rayscope {
 namespace {
 
-using Wide = __float128;
-using Rows = std::array<std::array<Wide, 3>, 3>;
+template <Scalar T> using Rows = std::array<std::array<T, 3>, 3>;
 
-template <Scalar T> Rows linear_part(const Mat4<T>& matrix) {
-    Rows rows{};
+template <Scalar T> Rows<T> linear_part(const Mat4d& matrix) {
+    Rows<T> rows{};
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) rows[std::size_t(i)][std::size_t(j)] = Wide(matrix[j][i]);
+        for (int j = 0; j < 3; ++j) rows[std::size_t(i)][std::size_t(j)] = T(matrix[j][i]);
     return rows;
 }
 
-// Cofactors in 113 bits: even a matrix with condition 10¹² keeps more digits than a double can hold.
-Rows cofactors(const Rows& m) {
-    Rows c{};
+template <Scalar T> Rows<T> cofactors(const Rows<T>& m) {
+    Rows<T> c{};
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
             const std::size_t p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
@@ -26,32 +24,36 @@ Rows cofactors(const Rows& m) {
     return c;
 }
 
-Wide determinant(const Rows& m, const Rows& c) {
+template <Scalar T> T determinant(const Rows<T>& m, const Rows<T>& c) {
     return m[0][0] * c[0][0] + m[0][1] * c[0][1] + m[0][2] * c[0][2];
 }
 
+// In 113 bits even a matrix with condition 10¹² keeps more digits than a double can hold.
+template <Numbers N> using Working = std::conditional_t<is_textbook<N>, ScalarOf<N>, Float128>;
+
 } // namespace
 
-template <Scalar T> Transform<T>::Transform(const Mat4<T>& matrix) {
-    const Rows m = linear_part(matrix);
-    const Rows c = cofactors(m);
-    const Wide det = determinant(m, c);
+template <Numbers N> Transform<N>::Transform(const Mat4d& matrix) {
+    const auto m = linear_part<Working<N>>(matrix);
+    const auto c = cofactors(m);
+    const auto det = determinant(m, c);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) inverse_[i][j] = T(c[std::size_t(j)][std::size_t(i)] / det);
-    translation_ = {matrix[3][0], matrix[3][1], matrix[3][2]};
+    translation_ = {T(matrix[3][0]), T(matrix[3][1]), T(matrix[3][2])};
+    if constexpr (is_textbook<N>) column_ = -apply(translation_);
 }
 
 bool is_invertible(const Mat4d& matrix) {
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 3; ++i)
-            if (!std::isfinite(matrix[j][i])) return false;
-    const Rows m = linear_part(matrix);
-    const Rows c = cofactors(m);
-    const Wide det = determinant(m, c);
+            if (!is_finite(matrix[j][i])) return false;
+    const auto m = linear_part<Float128>(matrix);
+    const auto c = cofactors(m);
+    const Float128 det = determinant(m, c);
     if (det == 0) return false;
     for (const auto& row : c)
-        for (const Wide cofactor : row)
-            if (!std::isfinite(double(cofactor / det))) return false;
+        for (const Float128 cofactor : row)
+            if (!is_finite(double(cofactor / det))) return false;
     return true;
 }
 
@@ -66,6 +68,13 @@ double similarity_scale(const Mat4d& matrix) {
     return scale;
 }
 
+template class Transform<float>;
 template class Transform<double>;
+template class Transform<long double>;
+template class Transform<Float128>;
+template class Transform<Textbook<float>>;
+template class Transform<Textbook<double>>;
+template class Transform<Textbook<long double>>;
+template class Transform<Textbook<Float128>>;
 
 } // namespace rayscope

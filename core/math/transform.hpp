@@ -1,25 +1,32 @@
 #pragma once
 // From world to object space and back, for one solid.
 
+#include "core/math/numbers.hpp"
 #include "core/math/ray.hpp"
 
 namespace rayscope {
 
-/// The inverse of a solid's affine matrix M, kept as linear part and translation apart.
+/// The inverse of a solid's affine matrix M.
 ///
-/// Object point = inverse · (world point − translation). Forming the difference first keeps the digits of a solid
-/// far from the origin; M⁻¹·o + column would cancel there. The inverse is computed in 113 bits and rounded once.
-template <Scalar T> class Transform {
+/// Stable: the inverse of the linear part is computed in 113 bits and rounded once, and the translation T is kept apart:
+/// object point = inverse · (world point − T). Forming the difference first keeps the digits of a solid far from the
+/// origin. Textbook: adjugate / determinant in the ray's own numbers, and M⁻¹ o + column, which cancels there.
+template <Numbers N> class Transform {
 public:
+    using T = ScalarOf<N>;
+
     Transform() = default;
     /// @param matrix affine, last row (0 0 0 1), invertible (see is_invertible).
-    explicit Transform(const Mat4<T>& matrix);
+    explicit Transform(const Mat4d& matrix);
 
     [[nodiscard]] Ray<T> to_object(const Ray<T>& ray) const {
-        return {apply(ray.origin - translation_), apply(ray.direction)};
+        return {point_to_object(ray.origin), apply(ray.direction)};
     }
     [[nodiscard]] Vec3<T> vector_to_object(const Vec3<T>& v) const { return apply(v); }
-    [[nodiscard]] Vec3<T> point_to_object(const Vec3<T>& point) const { return apply(point - translation_); }
+    [[nodiscard]] Vec3<T> point_to_object(const Vec3<T>& point) const {
+        if constexpr (is_textbook<N>) return apply(point) + column_;
+        return apply(point - translation_);
+    }
 
     /// Unit world normal of an object-space normal of any length: M⁻ᵀ n, normalized.
     [[nodiscard]] Vec3<T> normal_to_world(const Vec3<T>& n) const {
@@ -36,6 +43,8 @@ public:
     [[nodiscard]] const Vec3<T>& translation() const { return translation_; }
 
 private:
+    struct Nothing {};
+
     [[nodiscard]] T row(int i, const Vec3<T>& v) const {
         return fma(inverse_[i][0], v.x, fma(inverse_[i][1], v.y, inverse_[i][2] * v.z));
     }
@@ -53,6 +62,8 @@ private:
 
     Mat3<T> inverse_{T(1)}; // inverse_[i] is row i, not GLM's column i
     Vec3<T> translation_{T(0)};
+    // M⁻¹'s own last column, −inverse · T: the textbook's alone.
+    [[no_unique_address]] std::conditional_t<is_textbook<N>, Vec3<T>, Nothing> column_{};
 };
 
 /// True if every element is finite and the linear part can be inverted without leaving the number range.
@@ -62,6 +73,13 @@ private:
 /// that scale; otherwise 0.
 [[nodiscard]] double similarity_scale(const Mat4d& matrix);
 
+extern template class Transform<float>;
 extern template class Transform<double>;
+extern template class Transform<long double>;
+extern template class Transform<Float128>;
+extern template class Transform<Textbook<float>>;
+extern template class Transform<Textbook<double>>;
+extern template class Transform<Textbook<long double>>;
+extern template class Transform<Textbook<Float128>>;
 
 } // namespace rayscope

@@ -47,6 +47,11 @@ template <Scalar T> [[nodiscard]] inline T length(const Vec3<T>& v) {
     return scale * sqrt(dot(w, w));
 }
 
+/// v in another number type, each component rounded.
+template <Scalar To, Scalar From> [[nodiscard]] inline Vec3<To> as(const Vec3<From>& v) {
+    return {To(v.x), To(v.y), To(v.z)};
+}
+
 /// v / |v|; the zero vector stays zero.
 template <Scalar T> [[nodiscard]] inline Vec3<T> normalized(const Vec3<T>& v) {
     const T scale = largest_component(absolute(v));

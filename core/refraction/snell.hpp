@@ -41,8 +41,7 @@ template <Scalar T> [[nodiscard]] Refraction<T> refract(Vec3<T> d, Vec3<T> n, T 
     }
     const Vec3<T> turn = cross(d, n);
     const T sine = length(turn);
-    if (sine < cosine)
-        cosine = sqrt((T(1) - sine) * (T(1) + sine)); // near the normal the sine knows more
+    if (sine < cosine) cosine = sqrt((T(1) - sine) * (T(1) + sine)); // near the normal the sine knows more
     const T eta = speed_to / speed_from;
     const T one_minus = (speed_from - speed_to) / speed_from;
     const T one_plus = (speed_from + speed_to) / speed_from;
