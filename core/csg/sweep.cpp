@@ -66,6 +66,9 @@ template <Scalar T> void SpanStack<T>::complement() {
         crossings_.push_back({infinity<T>, {}, false});
 }
 
+template class SpanStack<float>;
 template class SpanStack<double>;
+template class SpanStack<long double>;
+template class SpanStack<Float128>;
 
 } // namespace rayscope

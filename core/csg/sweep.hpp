@@ -47,6 +47,9 @@ private:
     return in_a;
 }
 
+extern template class SpanStack<float>;
 extern template class SpanStack<double>;
+extern template class SpanStack<long double>;
+extern template class SpanStack<Float128>;
 
 } // namespace rayscope

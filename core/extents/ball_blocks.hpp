@@ -9,8 +9,8 @@ namespace rayscope {
 
 /// The solid of an object that is a sphere in world space and without which the object has no crossing: a plain ball
 /// itself; of a compound, the operand from which all the rest is taken, as the outer sphere of a bowl.
-template <Scalar T>
-[[nodiscard]] std::optional<std::uint32_t> deciding_ball(const World<T>& world, const Object& object) {
+template <Numbers N>
+[[nodiscard]] std::optional<std::uint32_t> deciding_ball(const World<N>& world, const Object& object) {
     if (world.is_ball(object)) return object.index;
     if (!object.is_compound) return std::nullopt;
     const Program& program = world.compounds[object.index].program;
@@ -21,10 +21,12 @@ template <Scalar T>
     return program[0].operand;
 }
 
-template <Scalar T> class BallBlocks {
+template <Numbers N> class BallBlocks {
 public:
+    using T = ScalarOf<N>;
+
     /// Takes up the objects that deciding_ball names a ball for.
-    explicit BallBlocks(const World<T>& world);
+    explicit BallBlocks(const World<N>& world);
 
     /// Calls hit(object) for each object whose ball the ray's line meets, in the order of the file, until it returns true.
     /// The test is the Sphere kernel's own arithmetic, so a ball passes here exactly if its kernel finds a chord.
@@ -38,25 +40,26 @@ private:
     std::vector<std::uint32_t> object_;
 };
 
-template <Scalar T> BallBlocks<T>::BallBlocks(const World<T>& world) {
+template <Numbers N> BallBlocks<N>::BallBlocks(const World<N>& world) {
     for (std::uint32_t id = 0; id < world.objects.size(); ++id) {
         const Object& object = world.objects[id];
         const auto ball = deciding_ball(world, object);
         if (!ball) continue;
-        const Solid<T>& solid = world.solids[*ball];
+        const Solid<N>& solid = world.solids[*ball];
         x_.push_back(solid.transform.translation().x);
         y_.push_back(solid.transform.translation().y);
         z_.push_back(solid.transform.translation().z);
-        radius_.push_back(std::get<Sphere<T>>(solid.shape).radius);
+        radius_.push_back(std::get<Sphere<N>>(solid.shape).radius);
         object_.push_back(id);
     }
     while (x_.size() % block != 0)
-        for (auto* column : {&x_, &y_, &z_, &radius_}) column->push_back(std::numeric_limits<T>::quiet_NaN());
+        for (auto* column : {&x_, &y_, &z_, &radius_})
+            column->push_back(T(std::numeric_limits<double>::quiet_NaN()));
 }
 
-template <Scalar T>
+template <Numbers N>
 template <typename OnHit>
-std::size_t BallBlocks<T>::each_met(const Ray<T>& ray, const OnHit& hit) const {
+std::size_t BallBlocks<N>::each_met(const Ray<T>& ray, const OnHit& hit) const {
     const T dx = ray.direction.x, dy = ray.direction.y, dz = ray.direction.z;
     const T x = ray.origin.x, y = ray.origin.y, z = ray.origin.z;
     const T dd = dot(ray.direction, ray.direction);
@@ -66,7 +69,7 @@ std::size_t BallBlocks<T>::each_met(const Ray<T>& ray, const OnHit& hit) const {
         const T *cx = &x_[first], *cy = &y_[first], *cz = &z_[first], *radius = &radius_[first];
         for (std::size_t i = 0; i < block; ++i)
             squared[i] =
-                Sphere<T>::Chord::of(x - cx[i], y - cy[i], z - cz[i], dx, dy, dz, dd, inverse_dd, radius[i])
+                Sphere<N>::Chord::of(x - cx[i], y - cy[i], z - cz[i], dx, dy, dz, dd, inverse_dd, radius[i])
                     .squared;
         for (std::size_t i = 0; i < block; ++i)
             if (squared[i] > T(0)) [[unlikely]]

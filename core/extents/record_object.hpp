@@ -8,8 +8,8 @@ namespace rayscope {
 
 /// Records what a test of this object on this ray found; nothing if the line misses all of its generics.
 /// Evaluates the author's tree, node by node, where the tracer runs the regrouped program: the results agree.
-void record_object(const World<double>& world, std::uint32_t object, const Ray<double>& ray,
-                   const Range<double>& range, const LeavingSurface<double>* leaving,
-                   TraceRecorder& recorder);
+template <Numbers N, Scalar T = ScalarOf<N>>
+void record_object(const World<N>& world, std::uint32_t object, const Ray<T>& ray, const Range<T>& range,
+                   const LeavingSurface<T>* leaving, TraceRecorder& recorder);
 
 } // namespace rayscope

@@ -8,9 +8,11 @@
 
 namespace rayscope {
 
-template <Scalar T> class Scan {
+template <Numbers N> class Scan {
 public:
-    explicit Scan(const World<T>& world);
+    using T = ScalarOf<N>;
+
+    explicit Scan(const World<N>& world);
 
     /// The nearest crossing with t in the range, with those of other objects that may coincide with it.
     template <typename Recorder>
@@ -28,14 +30,14 @@ private:
     template <typename Recorder, typename Test>
     void each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<T>& work, const Test& test) const;
 
-    const World<T>& world_;
-    BallBlocks<T> balls_;
+    const World<N>& world_;
+    BallBlocks<N> balls_;
     std::vector<std::uint32_t> others_; // objects that no ball decides on, in the order of the file
     std::vector<std::uint32_t>
         not_balls_; // with the compounds that one decides on: a recorded ray tells of them too
 };
 
-template <Scalar T> Scan<T>::Scan(const World<T>& world) : world_(world), balls_(world) {
+template <Numbers N> Scan<N>::Scan(const World<N>& world) : world_(world), balls_(world) {
     for (std::uint32_t id = 0; id < world.objects.size(); ++id) {
         const Object& object = world.objects[id];
         if (!world.is_ball(object)) not_balls_.push_back(id);
@@ -43,9 +45,9 @@ template <Scalar T> Scan<T>::Scan(const World<T>& world) : world_(world), balls_
     }
 }
 
-template <Scalar T>
+template <Numbers N>
 template <typename Recorder, typename Test>
-void Scan<T>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<T>& work,
+void Scan<N>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<T>& work,
                              const Test& test) const {
     // What the ray leaves starts with a crossing at t = 0 that the blocks know nothing of.
     for (const LeavingSurface<T>& surface : leaving)
@@ -63,15 +65,15 @@ void Scan<T>::each_candidate(const Ray<T>& ray, const Leaving<T>& leaving, Work<
     });
     const std::size_t unmet = balls - met - std::min(balls - met, later);
     work.counters.objects += unmet;
-    work.counters.tests[Generic<T>(Sphere<T>{}).index()] += unmet;
+    work.counters.tests[Generic<N>(Sphere<N>{}).index()] += unmet;
     const std::vector<std::uint32_t>& rest = Recorder::enabled ? not_balls_ : others_;
     for (std::size_t i = 0; i < rest.size() && !done; ++i) done = untested(rest[i]) && test(rest[i], nullptr);
 }
 
-template <Scalar T>
+template <Numbers N>
 template <typename Recorder>
-Nearest<T> Scan<T>::closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
-                            Work<T>& work, Recorder& recorder) const {
+auto Scan<N>::closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving, Work<T>& work,
+                      Recorder& recorder) const -> Nearest<T> {
     Nearest<T> nearest(ray);
     each_candidate<Recorder>(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray, range, start, recorder);
@@ -82,9 +84,9 @@ Nearest<T> Scan<T>::closest(const Ray<T>& ray, const Range<T>& range, const Leav
     return nearest;
 }
 
-template <Scalar T>
+template <Numbers N>
 template <typename Recorder>
-bool Scan<T>::blocked(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving, Work<T>& work,
+bool Scan<N>::blocked(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving, Work<T>& work,
                       Recorder& recorder) const {
     bool found = false;
     work.blockers.clear();

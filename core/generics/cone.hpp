@@ -2,13 +2,17 @@
 // The cone with apex (0, 0, 1) and base radius 1 at z = −1, capped; or, truncated, with radius `top` at z = 1.
 // Faces: 0 the wall, 1 the base, 2 the top.
 
+#include "core/generics/paired_hits.hpp"
 #include "core/generics/slab.hpp"
 #include "core/generics/tube.hpp"
 #include "core/math/box.hpp"
+#include "core/math/numbers.hpp"
 
 namespace rayscope {
 
-template <Scalar T> struct Cone {
+template <Numbers N> struct Cone {
+    using T = ScalarOf<N>;
+
     T top = T(0); ///< radius at z = 1; 0 ≤ top < 1
 
     static constexpr const char* name = "cone";
@@ -17,6 +21,7 @@ template <Scalar T> struct Cone {
 
     /// Slab first: between its planes the other nappe does not exist.
     [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const {
+        if constexpr (is_textbook<N>) return textbook_intervals(ray);
         const Interval<T> within = slab(ray.origin.z, ray.direction.z, base, lid, leaving);
         if (within.empty()) return {};
         return Intervals<T>(ConeWall<T>(top).inside(ray, within, wall, leaving == wall));
@@ -37,6 +42,20 @@ template <Scalar T> struct Cone {
         return face == wall ? ConeWall<T>(top).curvature(p, d) : T(0);
     }
     [[nodiscard]] Box<T> bounds() const { return {Vec3<T>{T(-1)}, Vec3<T>{T(1)}}; }
+
+    template <Numbers M> [[nodiscard]] Cone<M> to() const { return {ScalarOf<M>(top)}; }
+
+private:
+    // Both nappes of the wall; z says which hits count. Then the caps.
+    [[nodiscard]] Intervals<T> textbook_intervals(const Ray<T>& ray) const {
+        PairedHits<T> hits;
+        ConeWall<T>(top).textbook_hits(ray, [&](T t, T z) {
+            if (magnitude(z) <= T(1)) hits.add(t, wall);
+        });
+        textbook_cap_hits(ray, T(-1), T(1), [&](T t) { hits.add(t, base); });
+        if (top > T(0)) textbook_cap_hits(ray, T(1), top, [&](T t) { hits.add(t, lid); });
+        return hits.intervals();
+    }
 };
 
 } // namespace rayscope

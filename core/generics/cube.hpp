@@ -3,18 +3,21 @@
 
 #include "core/generics/slab.hpp"
 #include "core/math/box.hpp"
+#include "core/math/numbers.hpp"
 #include "core/math/ray.hpp"
 
 namespace rayscope {
 
-template <Scalar T> struct Cube {
+template <Numbers N> struct Cube {
+    using T = ScalarOf<N>;
+
     static constexpr const char* name = "cube";
     static constexpr bool solid = true;
 
     [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const {
-        Interval<T> inside = slab(ray.origin.x, ray.direction.x, 0, 1, leaving);
-        inside = intersection(inside, slab(ray.origin.y, ray.direction.y, 2, 3, leaving));
-        inside = intersection(inside, slab(ray.origin.z, ray.direction.z, 4, 5, leaving));
+        Interval<T> inside = layer(ray, 0, leaving);
+        inside = intersection(inside, layer(ray, 1, leaving));
+        inside = intersection(inside, layer(ray, 2, leaving));
         return Intervals<T>(inside);
     }
 
@@ -26,6 +29,15 @@ template <Scalar T> struct Cube {
     [[nodiscard]] T value(const Vec3<T>& p) const { return largest_component(absolute(p)) - T(1); }
     [[nodiscard]] T curvature(const Vec3<T>&, const Vec3<T>&, int /*face*/) const { return T(0); }
     [[nodiscard]] Box<T> bounds() const { return {Vec3<T>{T(-1)}, Vec3<T>{T(1)}}; }
+
+    template <Numbers M> [[nodiscard]] Cube<M> to() const { return {}; }
+
+private:
+    [[nodiscard]] static Interval<T> layer(const Ray<T>& ray, int axis, int leaving) {
+        const T o = ray.origin[axis], d = ray.direction[axis];
+        if constexpr (is_textbook<N>) return textbook_slab(o, d, 2 * axis, 2 * axis + 1);
+        return slab(o, d, 2 * axis, 2 * axis + 1, leaving);
+    }
 };
 
 } // namespace rayscope

@@ -13,14 +13,14 @@
 
 namespace rayscope {
 
-template <Scalar T>
-using Generic = std::variant<Sphere<T>, Plane<T>, Cylinder<T>, Cone<T>, Cube<T>, Torus<T>, Polygon<T>,
-                             OpenCylinder<T>, OpenCone<T>>;
+template <Numbers N>
+using Generic = std::variant<Sphere<N>, Plane<N>, Cylinder<N>, Cone<N>, Cube<N>, Torus<N>, Polygon<N>,
+                             OpenCylinder<N>, OpenCone<N>>;
 
 inline constexpr std::size_t generic_kinds = std::variant_size_v<Generic<double>>;
 
 /// "sphere", "plane", …
-template <Scalar T> [[nodiscard]] const char* generic_name(const Generic<T>& generic) {
+template <Numbers N> [[nodiscard]] const char* generic_name(const Generic<N>& generic) {
     return std::visit([](const auto& shape) { return shape.name; }, generic);
 }
 
@@ -28,13 +28,19 @@ template <Scalar T> [[nodiscard]] const char* generic_name(const Generic<T>& gen
 [[nodiscard]] const char* generic_name(std::size_t kind);
 
 /// False for surfaces without volume, which can't be operands of a compound.
-template <Scalar T> [[nodiscard]] bool is_solid(const Generic<T>& generic) {
+template <Numbers N> [[nodiscard]] bool is_solid(const Generic<N>& generic) {
     return std::visit([](const auto& shape) { return shape.solid; }, generic);
 }
 
 /// Negative inside, positive outside, zero on the surface, and near it about the distance: object space.
-template <Scalar T> [[nodiscard]] T implicit_value(const Generic<T>& generic, const Vec3<T>& p) {
+template <Numbers N>
+[[nodiscard]] ScalarOf<N> implicit_value(const Generic<N>& generic, const Vec3<ScalarOf<N>>& p) {
     return std::visit([&](const auto& shape) { return shape.value(p); }, generic);
+}
+
+/// The shape as the author wrote it, for the kernels of other numbers.
+template <Numbers N> [[nodiscard]] Generic<N> to_numbers(const Generic<double>& generic) {
+    return std::visit([](const auto& shape) -> Generic<N> { return shape.template to<N>(); }, generic);
 }
 
 } // namespace rayscope

@@ -3,11 +3,14 @@
 
 #include "core/generics/spans.hpp"
 #include "core/math/box.hpp"
+#include "core/math/numbers.hpp"
 #include "core/math/ray.hpp"
 
 namespace rayscope {
 
-template <Scalar T> struct Plane {
+template <Numbers N> struct Plane {
+    using T = ScalarOf<N>;
+
     static constexpr const char* name = "plane";
     static constexpr bool solid = true;
 
@@ -26,6 +29,8 @@ template <Scalar T> struct Plane {
     [[nodiscard]] Box<T> bounds() const {
         return {Vec3<T>{-infinity<T>}, Vec3<T>{infinity<T>, infinity<T>, T(0)}};
     }
+
+    template <Numbers M> [[nodiscard]] Plane<M> to() const { return {}; }
 };
 
 } // namespace rayscope

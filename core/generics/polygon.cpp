@@ -2,25 +2,48 @@
 
 namespace rayscope {
 
-template <Scalar T>
-Polygon<T>::Polygon(std::vector<Vec3<T>> vertices, std::vector<Vec3<T>> normals)
+template <Numbers N>
+Polygon<N>::Polygon(std::vector<Vec3<T>> vertices, std::vector<Vec3<T>> normals)
     : vertices_(std::move(vertices)),
       normals_(std::move(normals)),
       normal_(normalized(area_vector(vertices_))) {}
 
-template <Scalar T> Intervals<T> Polygon<T>::intervals(const Ray<T>& ray, int leaving) const {
+template <Numbers N> auto Polygon<N>::intervals(const Ray<T>& ray, int leaving) const -> Intervals<T> {
     Intervals<T> found;
     const T slope = dot(normal_, ray.direction);
     if (slope == T(0) || leaving == 0) return found; // a line meets a plane once
     const T t = dot(normal_, vertices_.front() - ray.origin) / slope;
-    if (is_finite(t) && encloses(ray)) found.append({t, t, 0, 0});
+    if (!is_finite(t)) return found;
+    bool inside = false;
+    if constexpr (is_textbook<N>)
+        inside = encloses_in_projection(ray.at(t));
+    else
+        inside = encloses(ray);
+    if (inside) found.append({t, t, 0, 0});
     return found;
+}
+
+// The schoolbook's: the point on the plane, already rounded, against the outline without the normal's largest
+// coordinate (Haines 1994). Neighbours compute two points and may both say no.
+template <Numbers N> bool Polygon<N>::encloses_in_projection(const Vec3<T>& p) const {
+    const Vec3<T> size = absolute(normal_);
+    const int dropped = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    const int x = (dropped + 1) % 3, y = (dropped + 2) % 3;
+    bool inside = false;
+    const Vec3<T>* a = &vertices_.back();
+    for (const Vec3<T>& b : vertices_) {
+        if (((*a)[y] > p[y]) != (b[y] > p[y]) &&
+            p[x] < (b[x] - (*a)[x]) * (p[y] - (*a)[y]) / (b[y] - (*a)[y]) + (*a)[x])
+            inside = !inside;
+        a = &b;
+    }
+    return inside;
 }
 
 // The outline is sheared so that the ray becomes the z axis through the origin; then an even-odd count of edges
 // decides. Each edge's answer depends on its two ends alone and turns its sign with their order, so neighbours that
 // share an edge never both miss a ray between them (Woop, Benthin, Wald 2013).
-template <Scalar T> bool Polygon<T>::encloses(const Ray<T>& ray) const {
+template <Numbers N> bool Polygon<N>::encloses(const Ray<T>& ray) const {
     const Vec3<T> size = absolute(ray.direction);
     const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     const int x = (z + 1) % 3, y = (z + 2) % 3;
@@ -42,7 +65,7 @@ template <Scalar T> bool Polygon<T>::encloses(const Ray<T>& ray) const {
     return inside;
 }
 
-template <Scalar T> Vec3<T> Polygon<T>::shading_normal(const Vec3<T>& p) const {
+template <Numbers N> auto Polygon<N>::shading_normal(const Vec3<T>& p) const -> Vec3<T> {
     if (!smooth()) return normal_;
     // In the fan from the first vertex, the triangle that holds p, by its barycentric coordinates.
     for (std::size_t i = 1; i + 1 < vertices_.size(); ++i) {
@@ -57,12 +80,19 @@ template <Scalar T> Vec3<T> Polygon<T>::shading_normal(const Vec3<T>& p) const {
     return normal_;
 }
 
-template <Scalar T> Box<T> Polygon<T>::bounds() const {
+template <Numbers N> auto Polygon<N>::bounds() const -> Box<T> {
     Box<T> box;
     for (const Vec3<T>& vertex : vertices_) box.include(vertex);
     return box;
 }
 
+template class Polygon<float>;
 template class Polygon<double>;
+template class Polygon<long double>;
+template class Polygon<Float128>;
+template class Polygon<Textbook<float>>;
+template class Polygon<Textbook<double>>;
+template class Polygon<Textbook<long double>>;
+template class Polygon<Textbook<Float128>>;
 
 } // namespace rayscope

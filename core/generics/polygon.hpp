@@ -4,6 +4,7 @@
 
 #include "core/generics/spans.hpp"
 #include "core/math/box.hpp"
+#include "core/math/numbers.hpp"
 #include "core/math/ray.hpp"
 
 #include <utility>
@@ -11,8 +12,10 @@
 
 namespace rayscope {
 
-template <Scalar T> class Polygon {
+template <Numbers N> class Polygon {
 public:
+    using T = ScalarOf<N>;
+
     static constexpr const char* name = "polygon";
     static constexpr bool solid = false;
 
@@ -34,10 +37,12 @@ public:
 
     [[nodiscard]] const std::vector<Vec3<T>>& vertices() const { return vertices_; }
     [[nodiscard]] const std::vector<Vec3<T>>& normals() const { return normals_; }
+    template <Numbers M> [[nodiscard]] Polygon<M> to() const;
     [[nodiscard]] bool smooth() const { return !normals_.empty(); }
 
 private:
     [[nodiscard]] bool encloses(const Ray<T>& ray) const;
+    [[nodiscard]] bool encloses_in_projection(const Vec3<T>& p) const;
 
     std::vector<Vec3<T>> vertices_, normals_;
     Vec3<T> normal_{T(0), T(0), T(1)};
@@ -51,6 +56,22 @@ template <Scalar T> [[nodiscard]] Vec3<T> area_vector(const std::vector<Vec3<T>>
     return sum;
 }
 
+template <Numbers N> template <Numbers M> Polygon<M> Polygon<N>::to() const {
+    const auto converted = [](const std::vector<Vec3<T>>& vectors) {
+        std::vector<Vec3<ScalarOf<M>>> result;
+        for (const Vec3<T>& v : vectors) result.push_back(as<ScalarOf<M>>(v));
+        return result;
+    };
+    return Polygon<M>(converted(vertices_), converted(normals_));
+}
+
+extern template class Polygon<float>;
 extern template class Polygon<double>;
+extern template class Polygon<long double>;
+extern template class Polygon<Float128>;
+extern template class Polygon<Textbook<float>>;
+extern template class Polygon<Textbook<double>>;
+extern template class Polygon<Textbook<long double>>;
+extern template class Polygon<Textbook<Float128>>;
 
 } // namespace rayscope

@@ -17,4 +17,12 @@ template <Scalar T> [[nodiscard]] Interval<T> slab(T o, T d, int low_face, int h
                     : Interval<T>{high, low, high_face, low_face};
 }
 
+/// The schoolbook's: one division, and nobody asks for a zero d. A ray in the plane of a face then has 0 · ∞ = NaN.
+template <Scalar T> [[nodiscard]] Interval<T> textbook_slab(T o, T d, int low_face, int high_face) {
+    const T inverse = T(1) / d;
+    const T low = (T(-1) - o) * inverse, high = (T(1) - o) * inverse;
+    return low < high ? Interval<T>{low, high, low_face, high_face}
+                      : Interval<T>{high, low, high_face, low_face};
+}
+
 } // namespace rayscope

@@ -3,13 +3,16 @@
 
 #include "core/generics/spans.hpp"
 #include "core/math/box.hpp"
+#include "core/math/numbers.hpp"
 #include "core/math/ray.hpp"
 #include "core/math/roots.hpp"
 
 namespace rayscope {
 
 /// The generic is the unit sphere. A World also uses the radius, for spheres that no matrix distorts.
-template <Scalar T> struct Sphere {
+template <Numbers N> struct Sphere {
+    using T = ScalarOf<N>;
+
     T radius = T(1);
 
     static constexpr const char* name = "sphere";
@@ -23,6 +26,10 @@ template <Scalar T> struct Sphere {
         const Vec3<T>& o = ray.origin;
         const Vec3<T>& d = ray.direction;
         const T dd = dot(d, d);
+        if constexpr (is_textbook<N>) {
+            const auto roots = textbook_quadratic_roots(dd, T(2) * dot(o, d), dot(o, o) - radius * radius);
+            return roots ? Intervals<T>({roots->first, roots->second, 0, 0}) : Intervals<T>();
+        }
         if (leaving == 0) { // o lies on the sphere: t² |d|² + 2 t o·d = 0
             const T other = T(-2) * dot(o, d) / dd;
             return Intervals<T>({minimum(T(0), other), maximum(T(0), other), 0, 0});
@@ -57,6 +64,8 @@ template <Scalar T> struct Sphere {
         return dot(d, d) / radius;
     }
     [[nodiscard]] Box<T> bounds() const { return {Vec3<T>{-radius}, Vec3<T>{radius}}; }
+
+    template <Numbers M> [[nodiscard]] Sphere<M> to() const { return {ScalarOf<M>(radius)}; }
 };
 
 } // namespace rayscope

@@ -3,12 +3,15 @@
 
 #include "core/generics/slab.hpp"
 #include "core/math/box.hpp"
+#include "core/math/numbers.hpp"
 #include "core/math/ray.hpp"
 #include "core/math/roots.hpp"
 
 namespace rayscope {
 
-template <Scalar T> struct Torus {
+template <Numbers N> struct Torus {
+    using T = ScalarOf<N>;
+
     T minor = T(0.25); ///< 0 < minor < 1
 
     static constexpr const char* name = "torus";
@@ -81,6 +84,8 @@ template <Scalar T> struct Torus {
         const T outer = T(1) + minor;
         return {Vec3<T>{-outer, -outer, -minor}, Vec3<T>{outer, outer, minor}};
     }
+
+    template <Numbers M> [[nodiscard]] Torus<M> to() const { return {ScalarOf<M>(minor)}; }
 
 private:
     struct Line {

@@ -35,6 +35,24 @@ template <Scalar T>
     return inside;
 }
 
+/// The schoolbook's hits with that wall: hit(t, z) for each.
+template <Scalar T, typename OnHit> void textbook_wall_hits(const Ray<T>& ray, const OnHit& hit) {
+    const Vec3<T>&o = ray.origin, &d = ray.direction;
+    const auto roots = textbook_quadratic_roots(d.x * d.x + d.y * d.y, T(2) * (o.x * d.x + o.y * d.y),
+                                                o.x * o.x + o.y * o.y - T(1));
+    if (!roots) return;
+    hit(roots->first, o.z + roots->first * d.z);
+    hit(roots->second, o.z + roots->second * d.z);
+}
+
+/// The schoolbook's hit with the disc of this radius in the plane z = height: hit(t).
+template <Scalar T, typename OnHit>
+void textbook_cap_hits(const Ray<T>& ray, T height, T radius, const OnHit& hit) {
+    const T t = (height - ray.origin.z) / ray.direction.z;
+    const T x = ray.origin.x + t * ray.direction.x, y = ray.origin.y + t * ray.direction.y;
+    if (x * x + y * y <= radius * radius) hit(t);
+}
+
 /// The wall of a cone that narrows from radius 1 at z = −1 to `top` at z = 1: radius w(z) = mean − slope z.
 template <Scalar T> struct ConeWall {
     T mean, slope;
@@ -72,6 +90,22 @@ template <Scalar T> struct ConeWall {
         }
         const auto [first, second] = quadratic_roots(A, B, C, sqrt(maximum(D, T(0))));
         return between(A, B, C, first + start, second + start, dw, within, face);
+    }
+
+    /// The schoolbook's hits with both nappes: hit(t, z) for each.
+    template <typename OnHit> void textbook_hits(const Ray<T>& ray, const OnHit& hit) const {
+        const Vec3<T>&o = ray.origin, &d = ray.direction;
+        const T w = mean - slope * o.z, dw = -slope * d.z;
+        const T A = d.x * d.x + d.y * d.y - dw * dw;
+        const T B = T(2) * (o.x * d.x + o.y * d.y - w * dw);
+        const T C = o.x * o.x + o.y * o.y - w * w;
+        const auto at = [&](T t) { hit(t, o.z + t * d.z); };
+        if (A == T(0)) { // parallel to a generator
+            at(-C / B);
+        } else if (const auto roots = textbook_quadratic_roots(A, B, C)) {
+            at(roots->first);
+            at(roots->second);
+        }
     }
 
     /// Gradient of (x² + y² − w²) / 2.

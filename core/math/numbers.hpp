@@ -37,9 +37,9 @@ concept Numbers = requires { typename numbers::Traits<N>::Scalar; };
 template <Numbers N> using ScalarOf = typename numbers::Traits<N>::Scalar;
 template <Numbers N> inline constexpr bool is_textbook = numbers::Traits<N>::method == Method::textbook;
 
-/// Where the schoolbook lets a secondary ray begin, lest it meet the surface that it leaves: the usual constant, right
-/// for scenes of the usual size alone. The stable way names the surfaces that are left, and needs none.
-template <Scalar T> inline constexpr T schoolbook_start = T(1e-4);
+/// The t at which a secondary ray begins. The schoolbook skips the surface that the ray leaves by a constant, right for
+/// scenes of the usual size alone; the stable way names the surfaces that are left, and needs none.
+template <Numbers N> inline constexpr ScalarOf<N> secondary_start = ScalarOf<N>(is_textbook<N> ? 1e-4 : 0.0);
 
 enum class ScalarType { float32, float64, float80, float128 };
 

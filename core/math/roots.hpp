@@ -4,6 +4,7 @@
 #include "core/math/scalar.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -15,6 +16,15 @@ template <Scalar T> [[nodiscard]] std::pair<T, T> quadratic_roots(T A, T B, T C,
     const T q = B > T(0) ? -(B + root_of_discriminant) : root_of_discriminant - B;
     const T first = q / A;
     const T second = q != T(0) ? C / q : first;
+    return first < second ? std::pair{first, second} : std::pair{second, first};
+}
+
+/// The schoolbook's roots of A t² + B t + C, ascending, or nothing. B² − 4AC cancels, and so does −B ± √.
+template <Scalar T> [[nodiscard]] std::optional<std::pair<T, T>> textbook_quadratic_roots(T A, T B, T C) {
+    const T discriminant = B * B - T(4) * A * C;
+    if (!(discriminant > T(0))) return std::nullopt;
+    const T root = sqrt(discriminant);
+    const T first = (-B - root) / (T(2) * A), second = (-B + root) / (T(2) * A);
     return first < second ? std::pair{first, second} : std::pair{second, first};
 }
 

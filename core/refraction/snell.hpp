@@ -1,6 +1,7 @@
 #pragma once
 // Snell's law: sin θ₂ = (c₂ / c₁) sin θ₁, and where it has no solution.
 
+#include "core/math/numbers.hpp"
 #include "core/math/vec.hpp"
 
 #include <optional>
@@ -13,25 +14,40 @@ template <Scalar T> struct Refraction {
     T radicand;        ///< cos² θ₂; negative at total internal reflection
     Vec3<T> direction; ///< of the refracted ray, unit; without meaning if total()
     [[nodiscard]] bool total() const { return radicand < T(0); }
-    [[nodiscard]] T theta_from() const { return std::atan2(sine, cosine); }
-    [[nodiscard]] T theta_to() const { return std::atan2(eta * sine, sqrt(radicand)); }
+    /// Of incidence and of refraction, radians.
+    [[nodiscard]] double theta_from() const { return std::atan2(double(sine), double(cosine)); }
+    [[nodiscard]] double theta_to() const { return std::atan2(double(eta * sine), double(sqrt(radicand))); }
 };
 
 /// Angle of incidence beyond which everything is reflected; exists only on the way into a faster medium.
-template <Scalar T> [[nodiscard]] std::optional<T> critical_angle(T speed_from, T speed_to) {
+[[nodiscard]] inline std::optional<double> critical_angle(double speed_from, double speed_to) {
     if (!(speed_from < speed_to)) return std::nullopt;
     return std::asin(speed_from / speed_to);
+}
+
+/// The schoolbook's t = η (d + cos θ₁ n) − √k n with k = 1 − η² (1 − cos² θ₁), which cancels twice near the critical angle
+/// and at grazing incidence. Both vectors unit, n against d.
+template <Scalar T>
+[[nodiscard]] Refraction<T> textbook_refract(const Vec3<T>& d, const Vec3<T>& n, T speed_from, T speed_to) {
+    const T cosine = -dot(n, d);
+    const T eta = speed_to / speed_from;
+    const T squared_sine = T(1) - cosine * cosine;
+    const T radicand = T(1) - eta * eta * squared_sine;
+    const T sine = sqrt(maximum(squared_sine, T(0)));
+    if (radicand < T(0)) return {eta, cosine, sine, radicand, d};
+    return {eta, cosine, sine, radicand, eta * d + (eta * cosine - sqrt(radicand)) * n};
 }
 
 /// Bends the direction d at a surface with normal n (of any length, on either side).
 ///
 /// With n against d, the direction is split into its parts along and across the normal, and the part across is scaled:
 ///     t = η (d + cos θ₁ n) − √k n,   k = cos² θ₂.
-/// The textbook's k = 1 − η² (1 − cos² θ₁) cancels twice near the critical angle and at grazing incidence; here
+/// Stable:
 ///     k = cos² θ₁ + (1 − η)(1 + η) sin² θ₁,   sin θ₁ = |d × n|,   1 − η = (c₁ − c₂) / c₁,
 /// and the part across is n × (d × n), whose digits survive at normal incidence however large η is.
 /// Error of each component: a few ε · max(1, 1 / √k). For η = 1 the direction comes back unchanged.
-template <Scalar T> [[nodiscard]] Refraction<T> refract(Vec3<T> d, Vec3<T> n, T speed_from, T speed_to) {
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] Refraction<T> refract(Vec3<T> d, Vec3<T> n, T speed_from, T speed_to) {
     d = normalized(d);
     n = normalized(n);
     T cosine = -dot(n, d);
@@ -39,6 +55,7 @@ template <Scalar T> [[nodiscard]] Refraction<T> refract(Vec3<T> d, Vec3<T> n, T 
         cosine = -cosine;
         n = -n;
     }
+    if constexpr (is_textbook<N>) return textbook_refract(d, n, speed_from, speed_to);
     const Vec3<T> turn = cross(d, n);
     const T sine = length(turn);
     if (sine < cosine) cosine = sqrt((T(1) - sine) * (T(1) + sine)); // near the normal the sine knows more

@@ -2,6 +2,8 @@
 
 #include "core/scene/expand.hpp"
 
+#include <functional>
+
 namespace rayscope {
 namespace {
 
@@ -25,11 +27,40 @@ Box<double> transformed(const Box<double>& box, const Mat4d& matrix) {
     return result;
 }
 
+// A solid in the author's numbers.
+struct Placed {
+    const Generic<double>& shape;
+    const Mat4d& matrix;
+    std::uint32_t object, material;
+};
+
+// A sphere that no matrix distorts needs none: it is put at its place in world space.
+template <Numbers N> Solid<N> solid_of(const Placed& placed) {
+    Solid<N> solid;
+    solid.object = placed.object;
+    solid.material = placed.material;
+    const double scale =
+        std::holds_alternative<Sphere<double>>(placed.shape) ? similarity_scale(placed.matrix) : 0;
+    if (scale > 0) {
+        Mat4d translation{1};
+        translation[3] = placed.matrix[3];
+        solid.transform = Transform<N>(translation);
+        solid.shape = Sphere<N>{ScalarOf<N>(scale)};
+        solid.is_ball = true;
+    } else {
+        solid.transform = Transform<N>(placed.matrix);
+        solid.shape = to_numbers<N>(placed.shape);
+    }
+    return solid;
+}
+
+// Builds what all numbers share, and hands out the solids one by one.
 class Builder {
 public:
-    explicit Builder(const Scene& scene) : scene_(scene) {}
+    Builder(const Scene& scene, std::function<void(const Placed&)> place)
+        : scene_(scene), place_(std::move(place)) {}
 
-    World<double> build() {
+    WorldBase build() {
         copy_settings();
         world_.objects.reserve(scene_.drawn.size());
         for (const SceneObject& object : scene_.drawn)
@@ -62,22 +93,8 @@ private:
 
     // Adds the solid and returns the box around it.
     Box<double> add_solid(const SceneGeneric& generic, const Mat4d& matrix, std::uint32_t material) {
-        Solid<double> solid;
-        solid.object = std::uint32_t(world_.objects.size());
-        solid.material = material;
-        const double scale =
-            std::holds_alternative<Sphere<double>>(generic.shape) ? similarity_scale(matrix) : 0;
-        if (scale > 0) { // a sphere in world space needs no matrix
-            Mat4d translation{1};
-            translation[3] = matrix[3];
-            solid.transform = Transform<double>(translation);
-            solid.shape = Sphere<double>{scale};
-            solid.is_ball = true;
-        } else {
-            solid.transform = Transform<double>(matrix);
-            solid.shape = generic.shape;
-        }
-        world_.solids.push_back(std::move(solid));
+        place_({generic.shape, matrix, std::uint32_t(world_.objects.size()), material});
+        ++solids_;
         return transformed(std::visit([](const auto& shape) { return shape.bounds(); }, generic.shape),
                            matrix);
     }
@@ -86,7 +103,7 @@ private:
         const SceneGeneric& generic = scene_.generics[index];
         const auto material =
             required_material(generic.material, "generic '" + generic.name + "'", generic.place);
-        const auto solid = std::uint32_t(world_.solids.size());
+        const std::uint32_t solid = solids_;
         const Box<double> bounds = add_solid(generic, generic.matrix, material);
         world_.objects.push_back({false, solid, material, generic.priority, is_solid(generic.shape), bounds});
     }
@@ -100,8 +117,7 @@ private:
         const std::vector<ExpandedNode> tree = expand(scene_, index, max_nodes - nodes_);
         nodes_ += tree.size();
         for (const ExpandedNode& node : tree) {
-            result.nodes.push_back(
-                {node.operation, node.left, node.right, std::uint32_t(world_.solids.size())});
+            result.nodes.push_back({node.operation, node.left, node.right, solids_});
             boxes.push_back(node.operation == Operation::leaf ? add_leaf(compound, node, material)
                                                               : box_of(node, boxes));
         }
@@ -144,12 +160,28 @@ private:
     }
 
     const Scene& scene_;
-    World<double> world_;
-    std::size_t nodes_ = 0; // of all compounds so far
+    std::function<void(const Placed&)> place_;
+    WorldBase world_;
+    std::uint32_t solids_ = 0; // so far
+    std::size_t nodes_ = 0;    // of all compounds so far
 };
 
 } // namespace
 
-World<double> build(const Scene& scene) { return Builder(scene).build(); }
+template <Numbers N> World<N> build(const Scene& scene) {
+    World<N> world;
+    static_cast<WorldBase&>(world) =
+        Builder(scene, [&](const Placed& placed) { world.solids.push_back(solid_of<N>(placed)); }).build();
+    return world;
+}
+
+template World<float> build(const Scene&);
+template World<Textbook<float>> build(const Scene&);
+template World<double> build(const Scene&);
+template World<Textbook<double>> build(const Scene&);
+template World<long double> build(const Scene&);
+template World<Textbook<long double>> build(const Scene&);
+template World<Float128> build(const Scene&);
+template World<Textbook<Float128>> build(const Scene&);
 
 } // namespace rayscope

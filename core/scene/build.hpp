@@ -7,6 +7,6 @@
 namespace rayscope {
 
 /// Throws InputError where a drawn object has no material, or a compound grows too large or meets a singular matrix.
-[[nodiscard]] World<double> build(const Scene& scene);
+template <Numbers N = double> [[nodiscard]] World<N> build(const Scene& scene);
 
 } // namespace rayscope

@@ -20,8 +20,9 @@ namespace rayscope {
 }
 
 /// r·v for the unit vectors to the light, of the normal, and of the ray (v = −ray).
-[[nodiscard]] inline double mirror_cosine(const Vec3d& to_light, const Vec3d& normal, const Vec3d& ray) {
-    const Vec3d mirrored = 2 * dot(normal, to_light) * normal - to_light;
+template <Scalar T>
+[[nodiscard]] T mirror_cosine(const Vec3<T>& to_light, const Vec3<T>& normal, const Vec3<T>& ray) {
+    const Vec3<T> mirrored = T(2) * dot(normal, to_light) * normal - to_light;
     return -dot(mirrored, ray);
 }
 

@@ -5,7 +5,9 @@
 
 namespace rayscope {
 
-template <Scalar T> struct Interaction {
+template <Numbers N> struct Interaction {
+    using T = ScalarOf<N>;
+
     Hit<T> hit;
     Vec3<T> point;
     Vec3<T> incoming; ///< the ray's direction, unit
@@ -24,11 +26,11 @@ template <Scalar T> struct Interaction {
 };
 
 /// Unit normal for shading: a smooth polygon's interpolated one, else the surface's.
-template <Scalar T>
-[[nodiscard]] Vec3<T> shading_normal(const World<T>& world, const Ray<T>& ray, const Hit<T>& hit) {
-    const Solid<T>& solid = world.solids[hit.surface.solid];
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] Vec3<T> shading_normal(const World<N>& world, const Ray<T>& ray, const Hit<T>& hit) {
+    const Solid<N>& solid = world.solids[hit.surface.solid];
     Vec3<T> n = solid.normal(ray, hit.t, hit.surface.face);
-    if (const auto* polygon = std::get_if<Polygon<T>>(&solid.shape);
+    if (const auto* polygon = std::get_if<Polygon<N>>(&solid.shape);
         polygon != nullptr && polygon->smooth()) {
         const Vec3<T> smooth = solid.transform.normal_to_world(
             polygon->shading_normal(solid.transform.to_object(ray).at(hit.t)));
@@ -40,16 +42,16 @@ template <Scalar T>
 
 /// The hits that coincide with the nearest one: those within the sum of their error bounds, itself included. A place
 /// where several objects meet belongs to the one that is first in the file, which is returned; who of them rounding
-/// put first is not asked.
-template <Scalar T>
-[[nodiscard]] Hit<T> first_in_file(const World<T>& world, const Ray<T>& ray, const Nearest<T>& nearest,
+/// put first is not asked. The schoolbook takes the nearest.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] Hit<T> first_in_file(const World<N>& world, const Ray<T>& ray, const Nearest<T>& nearest,
                                    std::vector<Hit<T>>& coincident) {
     const auto bound = [&](const Hit<T>& hit) {
         return error_bound(world, ray, Crossing<T>{hit.t, hit.surface, hit.entering});
     };
     coincident.clear();
     Hit<T> first = *nearest;
-    if (nearest.all().size() == 1) return first;
+    if (is_textbook<N> || nearest.all().size() == 1) return first;
     const T own = bound(*nearest);
     for (const Hit<T>& hit : nearest.all()) {
         if (hit.t - (*nearest).t > own + bound(hit)) continue;
@@ -59,10 +61,10 @@ template <Scalar T>
     return first;
 }
 
-/// Which surfaces the rays that go on from a hit start on.
-template <Scalar T>
-void leave_from(Interaction<T>& at, const World<T>& world, const Leaving<T>& before,
-                std::span<const Hit<T>> coincident, T distance) {
+/// Which surfaces the rays that go on from a hit start on. (The schoolbook's start on none, but at secondary_start.)
+template <Numbers N, Scalar T = ScalarOf<N>>
+void leave_from(Interaction<N>& at, const World<N>& world, const Leaving<T>& before,
+                const std::vector<Hit<T>>& coincident, T distance) {
     at.back.add({at.hit.object, at.hit.surface, !at.hit.entering, false, distance});
     at.through.add({at.hit.object, at.hit.surface, at.hit.entering, false, distance});
     for (const Hit<T>& other : coincident) {
@@ -80,10 +82,10 @@ void leave_from(Interaction<T>& at, const World<T>& world, const Leaving<T>& bef
             at.back.add({surface.object, surface.surface, surface.starts_inside, true, distance});
 }
 
-template <Scalar T>
-[[nodiscard]] Interaction<T> interact(const World<T>& world, const Ray<T>& ray, const Nearest<T>& nearest,
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] Interaction<N> interact(const World<N>& world, const Ray<T>& ray, const Nearest<T>& nearest,
                                       const Leaving<T>& leaving, Id medium, Work<T>& work) {
-    Interaction<T> at{};
+    Interaction<N> at{};
     at.hit = first_in_file(world, ray, nearest, work.coincident);
     at.hit.surface = owner(world, ray, at.hit, leaving.of(at.hit.object), work);
     at.point = ray.at(at.hit.t);
@@ -91,7 +93,7 @@ template <Scalar T>
     at.normal = shading_normal(world, ray, at.hit);
 
     const Object& object = world.objects[at.hit.object];
-    const Solid<T>& solid = world.solids[at.hit.surface.solid];
+    const Solid<N>& solid = world.solids[at.hit.surface.solid];
     at.material = &world.material_of(object);
     at.wall = &world.materials[solid.material];
     const bool against = object.has_volume ? at.hit.entering : dot(at.normal, at.incoming) < T(0);
@@ -99,10 +101,12 @@ template <Scalar T>
     at.error_bound = solid.error_bound(ray, at.hit.t, at.hit.surface.face);
     at.leaves_transmitting_solid = object.has_volume && !at.hit.entering && at.material->transmits();
 
-    // Along the normal the bound stays small where a graze makes that of t large; the point itself is rounded, too.
-    const T distance = at.error_bound * magnitude(dot(at.normal, ray.direction)) +
-                       epsilon<T> * dot(absolute(at.normal), absolute(at.point));
-    leave_from<T>(at, world, leaving, work.coincident, distance);
+    if constexpr (!is_textbook<N>) {
+        // Along the normal the bound stays small where a graze makes that of t large; the point itself is rounded, too.
+        const T distance = at.error_bound * magnitude(dot(at.normal, ray.direction)) +
+                           epsilon<T> * dot(absolute(at.normal), absolute(at.point));
+        leave_from(at, world, leaving, work.coincident, distance);
+    }
     at.media = {medium, medium};
     if (at.material->transmits()) {
         at.media = media_at(world, ray, at.hit, leaving, work);

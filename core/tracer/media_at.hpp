@@ -11,7 +11,7 @@ struct MediaPair {
 };
 
 /// Speed of light in a medium.
-template <Scalar T> [[nodiscard]] T speed_in(const World<T>& world, Id medium) {
+template <Numbers N, Scalar T = ScalarOf<N>> [[nodiscard]] T speed_in(const World<N>& world, Id medium) {
     return medium == none ? T(world.medium_speed) : T(world.material_of(std::uint32_t(medium)).speed);
 }
 
@@ -33,8 +33,8 @@ private:
 
 /// The media on both sides of a hit. They depend on the place alone and not on the way there, so a ray may start inside
 /// anything and nothing drifts. Boundaries of other media that coincide with the hit are crossed together with it.
-template <Scalar T>
-[[nodiscard]] MediaPair media_at(const World<T>& world, const Ray<T>& ray, const Hit<T>& hit,
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] MediaPair media_at(const World<N>& world, const Ray<T>& ray, const Hit<T>& hit,
                                  const Leaving<T>& leaving, Work<T>& work) {
     const Object& own = world.objects[hit.object];
     const bool is_medium = own.has_volume && world.material_of(own).transmits();
@@ -62,8 +62,8 @@ template <Scalar T>
 }
 
 /// The medium at the start of a ray.
-template <Scalar T>
-[[nodiscard]] Id medium_at_start(const World<T>& world, const Ray<T>& ray, Work<T>& work) {
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] Id medium_at_start(const World<N>& world, const Ray<T>& ray, Work<T>& work) {
     Containing here;
     for (const std::uint32_t object : world.media.all()) {
         bool inside = false;

@@ -32,8 +32,8 @@ struct RenderResult {
 };
 
 /// One sample in the middle of each pixel. The same bytes for any number of threads.
-[[nodiscard]] RenderResult render(const World<double>& world, const Camera& camera,
-                                  const RenderOptions& options);
+template <Numbers N>
+[[nodiscard]] RenderResult render(const World<N>& world, const Camera& camera, const RenderOptions& options);
 
 /// One ray with everything that it does; object, medium and solid ids are the world's.
 struct Recording {
@@ -41,6 +41,6 @@ struct Recording {
     Colour colour{0};
     std::size_t events_dropped = 0;
 };
-[[nodiscard]] Recording record(const World<double>& world, const Ray<double>& ray);
+template <Numbers N> [[nodiscard]] Recording record(const World<N>& world, const Ray<double>& ray);
 
 } // namespace rayscope

@@ -6,8 +6,8 @@
 
 namespace rayscope {
 
-template <Scalar T, typename Stage, typename Recorder>
-Colour Tracer<T, Stage, Recorder>::trace(const Ray<T>& ray) {
+template <Numbers N, typename Stage, typename Recorder>
+Colour Tracer<N, Stage, Recorder>::trace(const Ray<T>& ray) {
     rays_left_ = world_.max_rays;
     const Leaving<T> nothing;
     Budget budget;
@@ -19,10 +19,11 @@ Colour Tracer<T, Stage, Recorder>::trace(const Ray<T>& ray) {
     return shade(ray, nothing, budget);
 }
 
-template <Scalar T, typename Stage, typename Recorder>
-Colour Tracer<T, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& leaving, const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder>
+Colour Tracer<N, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& leaving, const Budget& budget) {
     const std::uint64_t before = work_.counters.objects;
-    const auto hit = stage_.closest(ray, Range<T>{}, leaving, work_, recorder_);
+    const Range<T> range{budget.depth == 0 ? T(0) : secondary_start<N>};
+    const auto hit = stage_.closest(ray, range, leaving, work_, recorder_);
     const int tested = int(work_.counters.objects - before);
     if (!hit) {
         if constexpr (Recorder::enabled) {
@@ -31,12 +32,12 @@ Colour Tracer<T, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& le
         }
         return world_.background;
     }
-    const Interaction<T> at = interact(world_, ray, hit, leaving, budget.medium, work_);
+    const Interaction<N> at = interact(world_, ray, hit, leaving, budget.medium, work_);
     if constexpr (Recorder::enabled) recorder_.record(boundary_chosen(at));
 
     const Colour local = local_light(at, budget);
     std::optional<Refraction<T>> bent;
-    if (at.material->transmits()) bent = refract(at.incoming, at.facing, at.speed_from, at.speed_to);
+    if (at.material->transmits()) bent = refract<N>(at.incoming, at.facing, at.speed_from, at.speed_to);
     const bool total = bent && bent->total();
     // What can't get through is mirrored as well: one ray carries both shares.
     const Colour mirrored_share =
@@ -54,8 +55,8 @@ Colour Tracer<T, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& le
     return colour;
 }
 
-template <Scalar T, typename Stage, typename Recorder>
-Colour Tracer<T, Stage, Recorder>::local_light(const Interaction<T>& at, const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder>
+Colour Tracer<N, Stage, Recorder>::local_light(const Interaction<N>& at, const Budget& budget) {
     if (at.leaves_transmitting_solid) {
         if constexpr (Recorder::enabled) recorder_.record(LocalLightSkipped{});
         return Colour{0};
@@ -66,13 +67,14 @@ Colour Tracer<T, Stage, Recorder>::local_light(const Interaction<T>& at, const B
     return colour;
 }
 
-template <Scalar T, typename Stage, typename Recorder>
-Colour Tracer<T, Stage, Recorder>::light_from(Id id, const Interaction<T>& at, const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder>
+Colour Tracer<N, Stage, Recorder>::light_from(Id id, const Interaction<N>& at, const Budget& budget) {
     const Light& light = world_.lights[std::size_t(id)];
-    const Vec3<T> offset = light.directional ? Vec3<T>(light.position) : Vec3<T>(light.position) - at.point;
+    const Vec3<T> position = as<T>(light.position);
+    const Vec3<T> offset = light.directional ? position : position - at.point;
     const Vec3<T> to_light = normalized(offset);
-    const double cosine = dot(at.facing, to_light);
-    const double mirror = mirror_cosine(to_light, at.facing, at.incoming);
+    const double cosine = double(dot(at.facing, to_light));
+    const double mirror = double(mirror_cosine(to_light, at.facing, at.incoming));
     const Colour diffuse = at.wall->diffuse * diffuse_share(cosine);
     const Colour specular = at.wall->specular * specular_share(cosine, mirror, at.wall->shininess);
     // A light behind the surface, or one that the material ignores, needs no shadow ray.
@@ -81,27 +83,27 @@ Colour Tracer<T, Stage, Recorder>::light_from(Id id, const Interaction<T>& at, c
         seen = visibility(id, to_light, light.directional ? infinity<T> : length(offset), at, budget);
     const Colour arriving = light.colour * seen;
     if constexpr (Recorder::enabled)
-        recorder_.record(LightLit{id, to_light, cosine, mirror, at.wall->shininess, light.colour, seen,
-                                  at.wall->diffuse, at.wall->specular, diffuse * arriving,
+        recorder_.record(LightLit{id, as<double>(to_light), cosine, mirror, at.wall->shininess, light.colour,
+                                  seen, at.wall->diffuse, at.wall->specular, diffuse * arriving,
                                   specular * arriving});
     return diffuse * arriving + specular * arriving;
 }
 
-template <Scalar T, typename Stage, typename Recorder>
-Colour Tracer<T, Stage, Recorder>::visibility(Id light, const Vec3<T>& to_light, T distance,
-                                              const Interaction<T>& at, const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder>
+Colour Tracer<N, Stage, Recorder>::visibility(Id light, const Vec3<T>& to_light, T distance,
+                                              const Interaction<N>& at, const Budget& budget) {
     const Ray<T> ray{at.point, to_light};
     ++work_.counters.rays[std::size_t(RayKind::shadow)];
     if constexpr (Recorder::enabled)
         recorder_.record(spawned(RayKind::shadow, ray, at.back, budget, distance, light));
     const std::uint64_t before = work_.counters.objects;
-    const bool dark = stage_.blocked(ray, Range<T>{T(0), distance}, at.back, work_, recorder_);
+    const bool dark = stage_.blocked(ray, Range<T>{secondary_start<N>, distance}, at.back, work_, recorder_);
     Colour seen{dark ? 0.0 : 1.0};
     if (!dark) {
         for (const Blocker<T>& blocker : work_.blockers) {
             const Colour& transmission = world_.material_of(blocker.object).transmission;
             if constexpr (Recorder::enabled)
-                recorder_.record(BlockerPassed{Id(blocker.object), blocker.t, transmission});
+                recorder_.record(BlockerPassed{Id(blocker.object), double(blocker.t), transmission});
             seen *= transmission;
         }
     }
@@ -110,23 +112,22 @@ Colour Tracer<T, Stage, Recorder>::visibility(Id light, const Vec3<T>& to_light,
     return seen;
 }
 
-template <Scalar T, typename Stage, typename Recorder>
-Colour Tracer<T, Stage, Recorder>::mirrored_light(const Interaction<T>& at, const Colour& coefficient,
+template <Numbers N, typename Stage, typename Recorder>
+Colour Tracer<N, Stage, Recorder>::mirrored_light(const Interaction<N>& at, const Colour& coefficient,
                                                   const Budget& budget) {
     if (const auto reason = limits_.refusal(budget, coefficient, rays_left_)) {
         refuse(RayKind::reflected, *reason, coefficient, budget);
         return Colour{0};
     }
-    const Vec3<T> direction = mirrored(at.incoming, at.facing);
+    const Vec3<T> direction = mirrored<N>(at.incoming, at.facing);
     if constexpr (Recorder::enabled)
-        recorder_.record(Reflected{
-            coefficient, std::atan2(length(cross(at.incoming, at.facing)), -dot(at.incoming, at.facing)),
-            direction});
+        recorder_.record(
+            Reflected{coefficient, angle_of_incidence(at.incoming, at.facing), as<double>(direction)});
     return follow({RayKind::reflected, coefficient, direction, at.back, at.media.from}, at, budget);
 }
 
-template <Scalar T, typename Stage, typename Recorder>
-Colour Tracer<T, Stage, Recorder>::transmitted_light(const Interaction<T>& at, const Refraction<T>& bent,
+template <Numbers N, typename Stage, typename Recorder>
+Colour Tracer<N, Stage, Recorder>::transmitted_light(const Interaction<N>& at, const Refraction<T>& bent,
                                                      const Budget& budget) {
     const Colour& transmission = at.material->transmission;
     if (const auto reason = limits_.refusal(budget, transmission, rays_left_)) {
@@ -134,14 +135,15 @@ Colour Tracer<T, Stage, Recorder>::transmitted_light(const Interaction<T>& at, c
         return Colour{0};
     }
     if constexpr (Recorder::enabled)
-        recorder_.record(Refracted{transmission, bent.theta_from(), bent.theta_to(),
-                                   critical_angle(at.speed_from, at.speed_to).value_or(not_a_number),
-                                   bent.eta, bent.direction});
+        recorder_.record(
+            Refracted{transmission, bent.theta_from(), bent.theta_to(),
+                      critical_angle(double(at.speed_from), double(at.speed_to)).value_or(not_a_number),
+                      double(bent.eta), as<double>(bent.direction)});
     return follow({RayKind::refracted, transmission, bent.direction, at.through, at.media.to}, at, budget);
 }
 
-template <Scalar T, typename Stage, typename Recorder>
-Colour Tracer<T, Stage, Recorder>::follow(const Continuation& next, const Interaction<T>& at,
+template <Numbers N, typename Stage, typename Recorder>
+Colour Tracer<N, Stage, Recorder>::follow(const Continuation& next, const Interaction<N>& at,
                                           const Budget& budget) {
     --rays_left_;
     ++work_.counters.rays[std::size_t(next.kind)];
@@ -151,18 +153,19 @@ Colour Tracer<T, Stage, Recorder>::follow(const Continuation& next, const Intera
     return next.coefficient * shade(ray, next.leaving, after);
 }
 
-template <Scalar T, typename Stage, typename Recorder>
-void Tracer<T, Stage, Recorder>::note_total_reflection(const Refraction<T>& bent, const Colour& coefficient,
-                                                       const Interaction<T>& at) {
+template <Numbers N, typename Stage, typename Recorder>
+void Tracer<N, Stage, Recorder>::note_total_reflection(const Refraction<T>& bent, const Colour& coefficient,
+                                                       const Interaction<N>& at) {
     ++work_.counters.total_reflections;
     if constexpr (Recorder::enabled)
-        recorder_.record(TotallyReflected{coefficient, bent.theta_from(),
-                                          critical_angle(at.speed_from, at.speed_to).value_or(not_a_number),
-                                          bent.eta});
+        recorder_.record(TotallyReflected{
+            coefficient, bent.theta_from(),
+            critical_angle(double(at.speed_from), double(at.speed_to)).value_or(not_a_number),
+            double(bent.eta)});
 }
 
-template <Scalar T, typename Stage, typename Recorder>
-void Tracer<T, Stage, Recorder>::refuse(RayKind kind, Reason reason, const Colour& coefficient,
+template <Numbers N, typename Stage, typename Recorder>
+void Tracer<N, Stage, Recorder>::refuse(RayKind kind, Reason reason, const Colour& coefficient,
                                         const Budget& budget) {
     if (reason == Reason::depth) ++work_.counters.cut_by_depth;
     if (reason == Reason::weight) ++work_.counters.cut_by_weight;

@@ -11,9 +11,11 @@
 namespace rayscope {
 
 /// Follows rays through a world. One tracer serves one thread.
-template <Scalar T, typename Stage, typename Recorder> class Tracer {
+template <Numbers N, typename Stage, typename Recorder> class Tracer {
 public:
-    Tracer(const World<T>& world, const Stage& stage, Work<T>& work, Recorder& recorder)
+    using T = ScalarOf<N>;
+
+    Tracer(const World<N>& world, const Stage& stage, Work<T>& work, Recorder& recorder)
         : world_(world),
           stage_(stage),
           work_(work),
@@ -34,20 +36,20 @@ private:
     };
 
     [[nodiscard]] Colour shade(const Ray<T>& ray, const Leaving<T>& leaving, const Budget& budget);
-    [[nodiscard]] Colour local_light(const Interaction<T>& at, const Budget& budget);
-    [[nodiscard]] Colour light_from(Id light, const Interaction<T>& at, const Budget& budget);
-    [[nodiscard]] Colour visibility(Id light, const Vec3<T>& to_light, T distance, const Interaction<T>& at,
+    [[nodiscard]] Colour local_light(const Interaction<N>& at, const Budget& budget);
+    [[nodiscard]] Colour light_from(Id light, const Interaction<N>& at, const Budget& budget);
+    [[nodiscard]] Colour visibility(Id light, const Vec3<T>& to_light, T distance, const Interaction<N>& at,
                                     const Budget& budget);
-    [[nodiscard]] Colour mirrored_light(const Interaction<T>& at, const Colour& coefficient,
+    [[nodiscard]] Colour mirrored_light(const Interaction<N>& at, const Colour& coefficient,
                                         const Budget& budget);
-    [[nodiscard]] Colour transmitted_light(const Interaction<T>& at, const Refraction<T>& bent,
+    [[nodiscard]] Colour transmitted_light(const Interaction<N>& at, const Refraction<T>& bent,
                                            const Budget& budget);
-    [[nodiscard]] Colour follow(const Continuation& next, const Interaction<T>& at, const Budget& budget);
+    [[nodiscard]] Colour follow(const Continuation& next, const Interaction<N>& at, const Budget& budget);
     void note_total_reflection(const Refraction<T>& bent, const Colour& coefficient,
-                               const Interaction<T>& at);
+                               const Interaction<N>& at);
     void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
 
-    const World<T>& world_;
+    const World<N>& world_;
     const Stage& stage_;
     Work<T>& work_;
     Recorder& recorder_;

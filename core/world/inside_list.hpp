@@ -9,10 +9,10 @@ namespace rayscope {
 
 /// Appends a solid's inside list to the open top list.
 /// A surface without volume is a single crossing: it is met, never inside.
-template <Scalar T>
-void append_crossings(const World<T>& world, std::uint32_t solid, const Ray<T>& ray,
+template <Numbers N, Scalar T = ScalarOf<N>>
+void append_crossings(const World<N>& world, std::uint32_t solid, const Ray<T>& ray,
                       const LeavingSurface<T>* leaving, Work<T>& work) {
-    const Solid<T>& s = world.solids[solid];
+    const Solid<N>& s = world.solids[solid];
     ++work.counters.tests[s.shape.index()];
     for (const Interval<T>& inside :
          s.intervals(ray, leaving != nullptr ? leaving->face_of(solid) : no_face)) {
@@ -22,8 +22,8 @@ void append_crossings(const World<T>& world, std::uint32_t solid, const Ray<T>& 
     }
 }
 
-template <Scalar T>
-[[nodiscard]] T error_bound(const World<T>& world, const Ray<T>& ray, const Crossing<T>& crossing,
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] T error_bound(const World<N>& world, const Ray<T>& ray, const Crossing<T>& crossing,
                             T off = T(0)) {
     return world.solids[crossing.surface.solid].error_bound(ray, crossing.t, crossing.surface.face, off);
 }
@@ -31,18 +31,19 @@ template <Scalar T>
 /// Ignores what merge_clusters reports.
 inline constexpr auto unrecorded = [](const auto&) {};
 
-/// Merges coincident crossings of the list on top of the scratch, which is a compound's result.
-template <Scalar T, typename Merged>
-void settle(const World<T>& world, const Ray<T>& ray, SpanStack<T>& scratch, const Merged& merged) {
-    if (scratch.top_size() < 2) return;
+/// Merges coincident crossings of the list on top of the scratch, which is a compound's result. The schoolbook, which
+/// has no bounds to tell coincidence by, leaves them.
+template <Numbers N, Scalar T = ScalarOf<N>, typename Merged>
+void settle(const World<N>& world, const Ray<T>& ray, SpanStack<T>& scratch, const Merged& merged) {
+    if (is_textbook<N> || scratch.top_size() < 2) return;
     const std::span list(scratch.top_begin(), scratch.top_size());
     scratch.resize_top(
         merge_clusters(list, [&](const Crossing<T>& c) { return error_bound(world, ray, c); }, merged));
 }
 
 /// The object's crossings with the ray's whole line, ascending; valid until the scratch is used again.
-template <Scalar T>
-[[nodiscard]] std::span<const Crossing<T>> crossings(const World<T>& world, std::uint32_t object,
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] std::span<const Crossing<T>> crossings(const World<N>& world, std::uint32_t object,
                                                      const Ray<T>& ray, const LeavingSurface<T>* leaving,
                                                      Work<T>& work) {
     const Object& o = world.objects[object];
@@ -63,11 +64,12 @@ template <Scalar T>
 /// The surface that a hit belongs to. Where faces of several operands coincide, rounding decides which of them the
 /// crossing at t came from, and neighbouring pixels would name now one operand, now the other. So the crossings that
 /// can't be told from the hit are put at its t, where the sweep's rule holds: the left operand has the face.
-template <Scalar T>
-[[nodiscard]] Surface owner(const World<T>& world, const Ray<T>& ray, const Hit<T>& hit,
+/// The schoolbook takes what rounding chose.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] Surface owner(const World<N>& world, const Ray<T>& ray, const Hit<T>& hit,
                             const LeavingSurface<T>* leaving, Work<T>& work) {
     const Object& o = world.objects[hit.object];
-    if (!o.is_compound) return hit.surface;
+    if (is_textbook<N> || !o.is_compound) return hit.surface;
     const T bound = error_bound(world, ray, Crossing<T>{hit.t, hit.surface, hit.entering});
     run(std::span<const Instruction>(world.compounds[o.index].program), work.scratch,
         [&](std::uint32_t solid) {
@@ -88,8 +90,8 @@ template <Scalar T>
 /// kernel; here are the same surface under another name (a coincident face of another operand) and a graze, which may
 /// lie on either side of the start by as much as both are uncertain. They betray themselves by leading to the side on
 /// which the ray already runs.
-template <Scalar T>
-[[nodiscard]] bool is_start(const World<T>& world, const Ray<T>& ray, const Crossing<T>& crossing,
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] bool is_start(const World<N>& world, const Ray<T>& ray, const Crossing<T>& crossing,
                             const LeavingSurface<T>& leaving) {
     if (world.objects[leaving.object].has_volume && crossing.entering != leaving.starts_inside) return false;
     return magnitude(crossing.t) <= T(2) * error_bound(world, ray, crossing, leaving.bound);
@@ -97,9 +99,9 @@ template <Scalar T>
 
 /// The first crossing in the range. Where the ray starts on this object, its start does not count, or, if it leads
 /// through that surface, counts as t = 0.
-template <Scalar T>
+template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] std::optional<Crossing<T>>
-first_crossing(const World<T>& world, const Ray<T>& ray, std::span<const Crossing<T>> list,
+first_crossing(const World<N>& world, const Ray<T>& ray, std::span<const Crossing<T>> list,
                const Range<T>& range, const LeavingSurface<T>* leaving) {
     for (Crossing<T> crossing : list) {
         if (leaving != nullptr && leaving->crosses && crossing.entering != leaving->starts_inside &&
@@ -116,8 +118,8 @@ first_crossing(const World<T>& world, const Ray<T>& ray, std::span<const Crossin
 }
 
 /// The first crossing in the range of one object, whatever it is.
-template <Scalar T>
-[[nodiscard]] std::optional<Crossing<T>> first_of_object(const World<T>& world, std::uint32_t object,
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] std::optional<Crossing<T>> first_of_object(const World<N>& world, std::uint32_t object,
                                                          const Ray<T>& ray, const Range<T>& range,
                                                          const LeavingSurface<T>* leaving, Work<T>& work) {
     const Object& o = world.objects[object];

@@ -8,9 +8,11 @@
 
 namespace rayscope {
 
-template <Scalar T> struct Solid {
-    Generic<T> shape;
-    Transform<T> transform;
+template <Numbers N> struct Solid {
+    using T = ScalarOf<N>;
+
+    Generic<N> shape;
+    Transform<N> transform;
     std::uint32_t object = 0;   ///< index into World::objects
     std::uint32_t material = 0; ///< local light of its walls: index into World::materials
     bool is_ball = false; ///< a sphere in world space: its transform is a translation, its radius the world's
@@ -19,7 +21,7 @@ template <Scalar T> struct Solid {
     /// @param leaving the face on which the ray starts: its crossing is then t = 0 exactly; or no_face
     [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const {
         if (is_ball)
-            return std::get<Sphere<T>>(shape).intervals({ray.origin - transform.translation(), ray.direction},
+            return std::get<Sphere<N>>(shape).intervals({ray.origin - transform.translation(), ray.direction},
                                                         leaving);
         const Ray<T> moved = transform.to_object(ray);
         return std::visit([&](const auto& s) { return s.intervals(moved, leaving); }, shape);
@@ -35,6 +37,7 @@ template <Scalar T> struct Solid {
     /// If rounding moves the object-space point by e = 4ε(|M⁻¹||o − T| + |t||M⁻¹||d|), the surface's function moves by
     /// δ = n·e for its unit normal n, and its root on a line with slope s = n·d′ and curvature h by δ / s, or by
     /// √(2δ / h) where s → 0 (see `root_shift`).
+    /// The schoolbook has no bounds: 0.
     /// @param off the surface may lie this far from where the ray sees it, along its normal: world length
     [[nodiscard]] T error_bound(const Ray<T>& ray, T t, int face, T off = T(0)) const;
 
@@ -69,8 +72,8 @@ template <Scalar T> [[nodiscard]] T root_shift(T delta, T slope, T curvature) {
     return change / (half_chord + sqrt(squared - change));
 }
 
-template <Scalar T> T Solid<T>::error_bound(const Ray<T>& ray, T t, int face, T off) const {
-    if (!is_finite(t)) return T(0);
+template <Numbers N> auto Solid<N>::error_bound(const Ray<T>& ray, T t, int face, T off) const -> T {
+    if (is_textbook<N> || !is_finite(t)) return T(0);
     const Ray<T> moved = transform.to_object(ray);
     const Vec3<T> p = moved.at(t);
     return std::visit(

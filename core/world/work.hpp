@@ -83,7 +83,7 @@ public:
 
 private:
     [[nodiscard]] bool close(const Hit<T>& hit) const {
-        constexpr T relative = T(1) / T(1 << 20);
+        constexpr T relative = limits::power_of_half<T>(limits::digits<T> / 2 - 6); // about 64 √ε
         return hit.t - hits_[0].t <= fma(relative, magnitude(hits_[0].t), absolute_);
     }
     void add_if_close(const Hit<T>& hit) {

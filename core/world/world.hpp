@@ -39,8 +39,8 @@ struct Object {
     Box<double> bounds;         ///< rounded outward
 };
 
-template <Scalar T> struct World {
-    std::vector<Solid<T>> solids;
+/// The part of a world that is the same in all numbers.
+struct WorldBase {
     std::vector<Compound> compounds;
     std::vector<Object> objects;
     std::vector<Material> materials;
@@ -54,15 +54,20 @@ template <Scalar T> struct World {
     double min_weight = 0.001;
     int max_rays = 100000;
 
-    /// A plain solid that is a sphere at its place in world space.
-    [[nodiscard]] bool is_ball(const Object& object) const {
-        return !object.is_compound && solids[object.index].is_ball;
-    }
     [[nodiscard]] const Material& material_of(const Object& object) const {
         return materials[object.material];
     }
     [[nodiscard]] const Material& material_of(std::uint32_t object) const {
         return material_of(objects[object]);
+    }
+};
+
+template <Numbers N> struct World : WorldBase {
+    std::vector<Solid<N>> solids;
+
+    /// A plain solid that is a sphere at its place in world space.
+    [[nodiscard]] bool is_ball(const Object& object) const {
+        return !object.is_compound && solids[object.index].is_ball;
     }
 };
 

@@ -1,0 +1,8 @@
+#include "core/tracer/render.inl"
+
+namespace rayscope {
+
+template RenderResult render(const World<Textbook<double>>&, const Camera&, const RenderOptions&);
+template Recording record(const World<Textbook<double>>&, const Ray<double>&);
+
+} // namespace rayscope

@@ -1,0 +1,8 @@
+#include "core/tracer/render.inl"
+
+namespace rayscope {
+
+template RenderResult render(const World<long double>&, const Camera&, const RenderOptions&);
+template Recording record(const World<long double>&, const Ray<double>&);
+
+} // namespace rayscope
