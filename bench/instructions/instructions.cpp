@@ -107,8 +107,8 @@ void refraction(Checksum& checksum) {
     static const auto list = rays();
     for (int n = 0; n < repetitions; ++n)
         for (std::size_t i = 0; i + 1 < list.size(); ++i)
-            checksum.add(
-                refract(list[i].direction, list[i + 1].origin, 1.0, n % 2 == 0 ? 0.66 : 1.33).direction);
+            checksum.add(refract<double>(list[i].direction, list[i + 1].origin, 1.0, n % 2 == 0 ? 0.66 : 1.33)
+                             .direction);
 }
 
 /// A glass ball and a mirror over a floor, with a light: the whole recursion, tests included.

@@ -24,8 +24,8 @@ Fault fault_in_direction(const char* what, const Vec3d& found, const Vec3d& exac
 }
 
 Fault fault_in_refraction(const RefractionCase& exact) {
-    const auto found = refract(exact.direction, exact.normal, exact.speed_from, exact.speed_to);
-    const Vec3d mirrored_direction = mirrored(normalized(exact.direction), normalized(exact.normal));
+    const auto found = refract<double>(exact.direction, exact.normal, exact.speed_from, exact.speed_to);
+    const Vec3d mirrored_direction = mirrored<double>(normalized(exact.direction), normalized(exact.normal));
     if (auto fault = fault_in_direction("mirrored", mirrored_direction, exact.reflected, mirror_tolerance))
         return fault;
     if (exact.decidable && found.total() != exact.total)

@@ -22,7 +22,7 @@ TEST(Snell, sines_keep_the_ratio_of_the_speeds) {
         Random random(seed);
         const Vec3d d = random.direction(), n = random.direction() * random.decade(-3, 3);
         const double from = random.uniform(0.3, 1.5), to = random.uniform(0.3, 1.5);
-        const Refraction<double> r = refract(d, n, from, to);
+        const Refraction<double> r = refract<double>(d, n, from, to);
         const std::string what =
             hex(d) + hex(n) + hex(from) + ' ' + hex(to) + " seed " + std::to_string(seed);
         const Vec3d unit = normalized(n);
@@ -52,7 +52,7 @@ TEST(Snell, sines_keep_the_ratio_of_the_speeds) {
 }
 
 TEST(Snell, air_to_glass_at_sixty_degrees) {
-    const Refraction<double> r = refract(at_angle(60 * degree), {0, 0, 1}, 1.0, 1 / 1.5);
+    const Refraction<double> r = refract<double>(at_angle(60 * degree), {0, 0, 1}, 1.0, 1 / 1.5);
     EXPECT_NEAR(r.theta_from(), 60 * degree, 1e-15);
     EXPECT_NEAR(r.theta_to(), 35.264389682754654 * degree, 1e-15); // sin 60° / 1.5 = 1/√3
     EXPECT_NEAR(r.direction.x, 1 / std::sqrt(3.0), 1e-15);
@@ -64,7 +64,7 @@ TEST(Snell, equal_speeds_leave_the_direction_bit_for_bit) {
         Random random(seed);
         const Vec3d d = normalized(random.direction());
         const double speed = random.uniform(0.2, 2);
-        const Refraction<double> r = refract(d, random.direction(), speed, speed);
+        const Refraction<double> r = refract<double>(d, random.direction(), speed, speed);
         ASSERT_EQ(r.direction, normalized(d)) << hex(d) << " seed " << seed;
         ASSERT_FALSE(r.total());
     }
@@ -72,7 +72,7 @@ TEST(Snell, equal_speeds_leave_the_direction_bit_for_bit) {
 
 TEST(Snell, straight_onto_the_surface_nothing_bends) {
     for (const double side : {1.0, -1.0}) {
-        const Refraction<double> r = refract({0, 0, -1}, {0, 0, side}, 1.0, 0.5);
+        const Refraction<double> r = refract<double>({0, 0, -1}, {0, 0, side}, 1.0, 0.5);
         EXPECT_EQ(r.direction, (Vec3d{0, 0, -1}));
         EXPECT_EQ(r.theta_from(), 0);
         EXPECT_EQ(r.theta_to(), 0);
@@ -83,7 +83,8 @@ TEST(Snell, the_normal_may_lie_on_either_side) {
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
         Random random(seed);
         const Vec3d d = random.direction(), n = random.direction();
-        ASSERT_EQ(refract(d, n, 1.0, 0.7).direction, refract(d, -n, 1.0, 0.7).direction) << hex(d) << hex(n);
+        ASSERT_EQ(refract<double>(d, n, 1.0, 0.7).direction, refract<double>(d, -n, 1.0, 0.7).direction)
+            << hex(d) << hex(n);
     }
 }
 
@@ -93,10 +94,10 @@ TEST(Snell, critical_angle_from_water_to_air) {
     EXPECT_FALSE(critical_angle(1.0, 0.7519).has_value());
     EXPECT_FALSE(critical_angle(1.0, 1.0).has_value());
     const double critical = *critical_angle(0.7519, 1.0);
-    EXPECT_FALSE(refract(at_angle(critical - 1e-9), {0, 0, 1}, 0.7519, 1.0).total());
-    EXPECT_TRUE(refract(at_angle(critical + 1e-9), {0, 0, 1}, 0.7519, 1.0).total());
+    EXPECT_FALSE(refract<double>(at_angle(critical - 1e-9), {0, 0, 1}, 0.7519, 1.0).total());
+    EXPECT_TRUE(refract<double>(at_angle(critical + 1e-9), {0, 0, 1}, 0.7519, 1.0).total());
     // On the edge itself, where the radicand is 0, the ray runs along the surface.
-    const Refraction<double> edge = refract({0.6, 0, -0.8}, {0, 0, 1}, 0.6, 1.0);
+    const Refraction<double> edge = refract<double>({0.6, 0, -0.8}, {0, 0, 1}, 0.6, 1.0);
     EXPECT_NEAR(edge.radicand, 0, 1e-15);
     EXPECT_FALSE((Refraction<double>{1, 0, 1, 0.0, {}}.total()));
 }
@@ -110,7 +111,7 @@ TEST(Snell, grazing_rays_and_nearly_equal_media_keep_their_digits) {
             const Wide x = Wide(d.x), y = Wide(d.y), z = Wide(d.z), eta = Wide(to);
             const Wide cosine_squared = z * z / (x * x + y * y + z * z);
             const double exact = double(1 - eta * eta * (1 - cosine_squared));
-            const Refraction<double> r = refract(d, {0, 0, 1}, 1.0, to);
+            const Refraction<double> r = refract<double>(d, {0, 0, 1}, 1.0, to);
             EXPECT_NEAR(r.radicand / exact, 1, 1e-13) << slope << ' ' << difference;
             EXPECT_NEAR(r.cosine / slope, 1, 1e-11);
         }
@@ -119,7 +120,7 @@ TEST(Snell, grazing_rays_and_nearly_equal_media_keep_their_digits) {
 // Near the normal the sine, which is small, keeps its digits and so do both angles.
 TEST(Snell, small_angles_keep_their_digits) {
     for (const double theta : {1e-3, 1e-6, 1e-9, 1e-12}) {
-        const Refraction<double> r = refract({theta, 0, -1}, {0, 0, 1}, 1.0, 0.5);
+        const Refraction<double> r = refract<double>({theta, 0, -1}, {0, 0, 1}, 1.0, 0.5);
         EXPECT_NEAR(r.theta_from() / std::atan(theta), 1, 1e-15);
         EXPECT_NEAR(r.theta_to() / std::asin(0.5 * std::sin(std::atan(theta))), 1, 2e-15);
     }
