@@ -9,15 +9,15 @@ namespace {
 
 constexpr std::size_t most_named = 8;
 
-struct Visit {
+struct Step {
     std::size_t compound = 0;
     std::size_t next_node = 0;
 };
 
 // a → b → a, the middle of a long circle left out.
-std::string circle(const Scene& scene, const std::vector<Visit>& path, std::size_t closing) {
+std::string circle(const Scene& scene, const std::vector<Step>& path, std::size_t closing) {
     const auto start =
-        std::find_if(path.begin(), path.end(), [&](const Visit& v) { return v.compound == closing; });
+        std::find_if(path.begin(), path.end(), [&](const Step& s) { return s.compound == closing; });
     const auto length = std::size_t(path.end() - start);
     std::string names;
     for (std::size_t i = 0; i < std::min(length, most_named); ++i)
@@ -32,7 +32,7 @@ std::string circle(const Scene& scene, const std::vector<Visit>& path, std::size
 void reject_cycles(const SourceText& source, const Scene& scene) {
     enum class State : unsigned char { untouched, open, done };
     std::vector<State> states(scene.compounds.size(), State::untouched);
-    std::vector<Visit> path;
+    std::vector<Step> path;
     for (std::size_t root = 0; root < scene.compounds.size(); ++root) {
         if (states[root] == State::untouched) path.push_back({root, 0});
         while (!path.empty()) {

@@ -15,7 +15,7 @@ namespace {
 // Products of a few numbers must stay within the range of a double.
 constexpr double largest = 1e150;
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 // std::from_chars takes no plus sign.
 std::string_view without_plus(std::string_view text) {
@@ -48,13 +48,13 @@ void NffTokens::advance() {
             continue;
         }
         in_comment = in_comment || c == '#';
-        if (!in_comment && !is_blank(c)) break;
+        if (!in_comment && !is_space(c)) break;
         here_.column += continues_character(c) ? 0 : 1;
     }
     rest_.remove_prefix(i);
     std::size_t length = 0;
     next_.place = here_;
-    for (; length < rest_.size() && !is_blank(rest_[length]) && rest_[length] != '#'; ++length)
+    for (; length < rest_.size() && !is_space(rest_[length]) && rest_[length] != '#'; ++length)
         here_.column += continues_character(rest_[length]) ? 0 : 1;
     next_.text = rest_.substr(0, length);
     rest_.remove_prefix(length);

@@ -15,13 +15,13 @@
 namespace rayscope {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t(1) << 30U;
+constexpr std::size_t most_nff_bytes = std::size_t(1) << 30U;
 constexpr std::size_t most_warnings = 20;
 constexpr int most_vertices = 1000000;
 // Within these a sphere's matrix can be inverted.
 constexpr double smallest_radius = 1e-100, largest_radius = 1e100;
 // The files carry few digits: a polygon may be that far from flat without anyone's fault.
-constexpr double flatness = 1e-3;
+constexpr double nff_flatness = 1e-3;
 
 constexpr std::array<std::string_view, 6> view_lines{"from", "at", "up", "angle", "hither", "resolution"};
 
@@ -184,7 +184,7 @@ private:
             vertices.push_back(tokens_.vector("a vertex's coordinates"));
             if (with_normals) normals.push_back(tokens_.vector("a vertex's normal"));
         }
-        if (const auto problem = polygon_problem(vertices, flatness))
+        if (const auto problem = polygon_problem(vertices, nff_flatness))
             return warn(command, *problem + "; it is left out");
         if (std::any_of(normals.begin(), normals.end(), [](const Vec3d& n) { return length(n) == 0; })) {
             warn(command, "a normal has length zero: the polygon is shaded as a flat one");
@@ -232,7 +232,7 @@ private:
 Scene parse_nff(std::string_view text, std::string file) { return NffReader(text, std::move(file)).read(); }
 
 Scene read_nff(const std::filesystem::path& path) {
-    return parse_nff(read_file(path, most_bytes), path.string());
+    return parse_nff(read_file(path, most_nff_bytes), path.string());
 }
 
 } // namespace rayscope

@@ -12,7 +12,7 @@ namespace rayscope {
 namespace {
 
 // A text of this size may already need two GiB as a document.
-constexpr std::size_t most_bytes = std::size_t(64) << 20U;
+constexpr std::size_t most_toml_bytes = std::size_t(64) << 20U;
 
 toml::table parse(const SourceText& source) {
     try {
@@ -90,7 +90,7 @@ Scene parse_toml(std::string_view text, std::string file) {
 }
 
 Scene read_toml(const std::filesystem::path& path) {
-    return parse_toml(read_file(path, most_bytes), path.string());
+    return parse_toml(read_file(path, most_toml_bytes), path.string());
 }
 
 } // namespace rayscope

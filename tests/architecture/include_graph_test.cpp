@@ -10,8 +10,6 @@
 namespace rayscope::test {
 namespace {
 
-const std::filesystem::path top = RAYSCOPE_SOURCE_DIR;
-
 struct Include {
     std::string file; ///< from the top level
     std::size_t line = 0;
@@ -22,20 +20,20 @@ struct Include {
 std::vector<Include> includes_under(const char* folder) {
     static const std::regex pattern(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
     std::vector<Include> found;
-    for (const auto& file : sources_under(top / folder)) {
+    for (const auto& file : sources_under(source_tree / folder)) {
         const auto lines = without_comments(lines_of(file));
         for (std::size_t i = 0; i < lines.size(); ++i) {
             std::smatch match;
             if (std::regex_search(lines[i], match, pattern))
-                found.push_back(
-                    {file.lexically_relative(top).generic_string(), i + 1, match[2], match[1] == "\""});
+                found.push_back({file.lexically_relative(source_tree).generic_string(), i + 1, match[2],
+                                 match[1] == "\""});
         }
     }
     return found;
 }
 
 TEST(IncludeGraph, keeps_the_floors) {
-    EXPECT_GT(includes_under("core").size(), 20U) << "nothing was read under " << top;
+    EXPECT_GT(includes_under("core").size(), 20U) << "nothing was read under " << source_tree;
     for (const char* folder : {"core", "chapters", "exercises", "visualizer", "bench"})
         for (const Include& include : includes_under(folder))
             if (const auto rule = broken_rule(include.file, include.target))
@@ -46,7 +44,7 @@ TEST(IncludeGraph, keeps_the_floors) {
 TEST(IncludeGraph, include_path_is_folder_path) {
     for (const char* folder : {"core", "chapters", "visualizer", "bench", "tests"})
         for (const Include& include : includes_under(folder))
-            if (include.quoted && !std::filesystem::exists(top / include.target))
+            if (include.quoted && !std::filesystem::exists(source_tree / include.target))
                 ADD_FAILURE() << include.file << ":" << include.line << ": \"" << include.target
                               << "\" is no path from the top level";
 }

@@ -8,6 +8,8 @@
 
 namespace rayscope::test {
 
+inline const std::filesystem::path source_tree = RAYSCOPE_SOURCE_DIR;
+
 /// All .hpp and .cpp files under a top-level folder, sorted; none if there is no such folder.
 [[nodiscard]] std::vector<std::filesystem::path> sources_under(const std::filesystem::path& folder);
 

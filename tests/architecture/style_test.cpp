@@ -11,8 +11,6 @@
 namespace rayscope::test {
 namespace {
 
-const std::filesystem::path top = RAYSCOPE_SOURCE_DIR;
-
 /// A number between about 10⁻¹⁹ and 10⁻⁴ written out: tolerances are to be derived from `epsilon` and the operands.
 bool has_magic_tolerance(const std::string& code) {
     static const std::regex decimal(R"re((^|[^\w.])\d*\.?\d*[eE]-0*([4-9]|1[0-9])([^0-9]|$))re");
@@ -44,8 +42,8 @@ bool is_exception(const std::string& file, const std::string& line) {
 }
 
 TEST(Style, core_has_no_magic_tolerances) {
-    for (const auto& file : sources_under(top / "core")) {
-        const std::string name = file.lexically_relative(top).generic_string();
+    for (const auto& file : sources_under(source_tree / "core")) {
+        const std::string name = file.lexically_relative(source_tree).generic_string();
         if (name.starts_with("core/math/")) continue; // constants of proven algorithms
         const auto lines = without_comments(lines_of(file));
         for (std::size_t i = 0; i < lines.size(); ++i)
@@ -56,8 +54,8 @@ TEST(Style, core_has_no_magic_tolerances) {
 
 TEST(Style, a_file_fits_into_300_lines) {
     for (const char* folder : {"core", "visualizer", "bench"})
-        for (const auto& file : sources_under(top / folder))
-            EXPECT_LE(lines_of(file).size(), 300U) << file.lexically_relative(top).generic_string();
+        for (const auto& file : sources_under(source_tree / folder))
+            EXPECT_LE(lines_of(file).size(), 300U) << file.lexically_relative(source_tree).generic_string();
 }
 
 TEST(Style, magic_tolerances_are_recognised) {

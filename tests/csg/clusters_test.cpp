@@ -6,8 +6,6 @@
 namespace rayscope::test {
 namespace {
 
-constexpr double inf = infinity<double>;
-
 struct Merged {
     List list;
     std::vector<Cluster<double>> clusters;

@@ -18,6 +18,8 @@ inline void PrintTo(const Crossing<double>& c, std::ostream* out) {
 
 namespace test {
 
+inline constexpr double inf = infinity<double>;
+
 using List = std::vector<Crossing<double>>;
 
 /// Spans [t0, t1], [t2, t3] … of one solid.

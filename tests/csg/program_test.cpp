@@ -9,7 +9,6 @@
 namespace rayscope::test {
 namespace {
 
-constexpr double inf = infinity<double>;
 using Tree = std::vector<CompoundNode>;
 
 // Small whole numbers, so that ends coincide all the time.

@@ -8,7 +8,6 @@
 namespace rayscope::test {
 namespace {
 
-constexpr double inf = infinity<double>;
 constexpr Operation unite = Operation::set_union, intersect = Operation::intersection,
                     subtract = Operation::difference;
 

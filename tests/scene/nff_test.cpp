@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-namespace rayscope {
+namespace rayscope::nff {
 namespace {
 
 const std::string view = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 64 48\n";
@@ -196,4 +196,4 @@ TEST(SceneNff, StandardProceduralDatabases) {
 }
 
 } // namespace
-} // namespace rayscope
+} // namespace rayscope::nff

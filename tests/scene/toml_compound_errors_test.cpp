@@ -1,20 +1,11 @@
 // What can be wrong with compounds, with materials that are missing, and with the text itself.
 
-#include "core/scene/read_toml.hpp"
+#include "tests/scene/error_of.hpp"
 
 #include <gtest/gtest.h>
 
 namespace rayscope {
 namespace {
-
-std::string error_of(std::string_view text) {
-    try {
-        (void)parse_toml(text, "s.toml");
-        return "no error";
-    } catch (const InputError& error) {
-        return error.what();
-    }
-}
 
 // Three solids and a material on line 1; the equations of the test stand in [compounds] from line 3.
 std::string error_in_compounds(const std::string& lines) {

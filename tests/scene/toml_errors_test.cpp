@@ -1,20 +1,11 @@
 // What a scene can have wrong, with the whole message and its place.
 
-#include "core/scene/read_toml.hpp"
+#include "tests/scene/error_of.hpp"
 
 #include <gtest/gtest.h>
 
 namespace rayscope {
 namespace {
-
-std::string error_of(std::string_view text) {
-    try {
-        (void)parse_toml(text, "s.toml");
-        return "no error";
-    } catch (const InputError& error) {
-        return error.what();
-    }
-}
 
 struct Case {
     const char* name;
