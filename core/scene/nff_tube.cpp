@@ -1,14 +1,12 @@
 #include "core/scene/nff_tube.hpp"
 
+#include "core/math/decimals.hpp"
 #include "core/math/transform.hpp"
 
 #include <utility>
 
 namespace rayscope {
 namespace {
-
-// Radii that differ by less are the rounding of a cylinder's.
-constexpr double same_radius = 1e-12;
 
 // Some unit vector at right angles to the unit vector w: cross with the axis that lies farthest from it.
 Vec3d across(const Vec3d& w) {
@@ -37,7 +35,7 @@ std::optional<PlacedTube> place_tube(TubeEnd base, TubeEnd apex) {
     if (!is_invertible(tube.matrix)) return std::nullopt;
 
     const double top = apex.radius / base.radius;
-    if (1 - top <= same_radius)
+    if (1 - top <= decimals::same_radius)
         tube.shape = OpenCylinder<double>{};
     else
         tube.shape = OpenCone<double>{top};

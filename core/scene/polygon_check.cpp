@@ -1,6 +1,7 @@
 #include "core/scene/polygon_check.hpp"
 
 #include "core/generics/polygon.hpp"
+#include "core/math/decimals.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,8 @@ std::optional<std::string> polygon_problem(const std::vector<Vec3d>& vertices, d
     shape.reserve(vertices.size());
     for (const Vec3d& vertex : vertices) shape.push_back((vertex - vertices[0]) / size);
     const Vec3d area = area_vector(shape);
-    if (length(area) < 1e-12) return "the polygon encloses no area: its vertices lie on one line";
+    if (length(area) < decimals::least_area)
+        return "the polygon encloses no area: its vertices lie on one line";
     const Vec3d normal = normalized(area);
     for (std::size_t i = 0; i < shape.size(); ++i)
         if (const double off = magnitude(dot(normal, shape[i])); off > flatness)

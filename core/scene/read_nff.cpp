@@ -1,5 +1,6 @@
 #include "core/scene/read_nff.hpp"
 
+#include "core/math/decimals.hpp"
 #include "core/scene/nff_tokens.hpp"
 #include "core/scene/nff_tube.hpp"
 #include "core/scene/polygon_check.hpp"
@@ -20,8 +21,6 @@ constexpr std::size_t most_warnings = 20;
 constexpr int most_vertices = 1000000;
 // Within these a sphere's matrix can be inverted.
 constexpr double smallest_radius = 1e-100, largest_radius = 1e100;
-// The files carry few digits: a polygon may be that far from flat without anyone's fault.
-constexpr double nff_flatness = 1e-3;
 
 constexpr std::array<std::string_view, 6> view_lines{"from", "at", "up", "angle", "hither", "resolution"};
 
@@ -144,7 +143,7 @@ private:
         material.transmission = Colour{transmission};
         const NffToken token = tokens_.peek();
         const double index = tokens_.number("a material's index of refraction");
-        if (index > 0 && !(index >= 1e-6 && index <= 1e6))
+        if (index > 0 && !(index >= 1 / 1e6 && index <= 1e6))
             tokens_.fail(token, fmt::format("expected an index of refraction from 1e-06 to 1e+06, found {}",
                                             token.text));
         material.speed = index > 0 ? 1 / index : 1;
@@ -184,7 +183,7 @@ private:
             vertices.push_back(tokens_.vector("a vertex's coordinates"));
             if (with_normals) normals.push_back(tokens_.vector("a vertex's normal"));
         }
-        if (const auto problem = polygon_problem(vertices, nff_flatness))
+        if (const auto problem = polygon_problem(vertices, decimals::few_digits_flatness))
             return warn(command, *problem + "; it is left out");
         if (std::any_of(normals.begin(), normals.end(), [](const Vec3d& n) { return length(n) == 0; })) {
             warn(command, "a normal has length zero: the polygon is shaded as a flat one");

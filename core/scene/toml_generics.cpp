@@ -1,3 +1,4 @@
+#include "core/math/decimals.hpp"
 #include "core/scene/polygon_check.hpp"
 #include "core/scene/toml_sections.hpp"
 
@@ -7,7 +8,6 @@ namespace rayscope {
 namespace {
 
 // Vertices are written in decimals: this much of the polygon's size may be rounding.
-constexpr double flatness = 1e-6;
 
 const std::vector<std::string_view> shapes{"sphere", "plane", "cylinder", "cone",
                                            "cube",   "torus", "polygon",  "triangle"};
@@ -25,7 +25,7 @@ Generic<double> read_polygon(const TomlTable& table, std::string_view shape, Pla
     for (const TomlValue& vertex : value.list()) vertices.push_back(vertex.vector());
     if (shape == "triangle" && vertices.size() != 3)
         value.fail(fmt::format("a triangle has 3 vertices, found {}", vertices.size()));
-    if (const auto problem = polygon_problem(vertices, flatness)) value.fail(*problem);
+    if (const auto problem = polygon_problem(vertices, decimals::flatness)) value.fail(*problem);
     return Polygon<double>(std::move(vertices));
 }
 

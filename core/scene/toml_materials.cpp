@@ -7,7 +7,7 @@ namespace rayscope {
 namespace {
 
 // Far beyond any medium, and close enough to 1 that ratios of two stay exact in their order.
-constexpr Bounds possible_speed{1e-6, 1e6};
+constexpr Bounds possible_speed{1 / 1e6, 1e6};
 
 SceneMaterial read_material(const TomlEntry& entry) {
     const TomlTable table = entry.value.table();

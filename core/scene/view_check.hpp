@@ -1,6 +1,7 @@
 #pragma once
 // Which cameras see something, and how large their images may be.
 
+#include "core/math/decimals.hpp"
 #include "core/scene/scene.hpp"
 
 #include <optional>
@@ -17,8 +18,7 @@ view_problem(const Camera& camera, const std::string& eye = "eye", const std::st
     const Vec3d view = camera.look_at - camera.eye;
     if (length(view) == 0) return "'" + eye + "' and '" + look_at + "' are the same point";
     if (length(camera.up) == 0) return "'up' has length zero";
-    // The sine of the angle between them; below it the image's horizontal would be made of rounding errors.
-    if (length(cross(normalized(view), normalized(camera.up))) < 1e-9)
+    if (length(cross(normalized(view), normalized(camera.up))) < decimals::least_sine)
         return "'up' is parallel to the view from '" + eye + "' to '" + look_at + "'";
     return std::nullopt;
 }

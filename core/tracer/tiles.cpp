@@ -19,7 +19,7 @@ constexpr int side =
 double cpu_time() {
     timespec time{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+    return double(time.tv_sec) + double(time.tv_nsec) / 1e9;
 }
 
 double wall_time() {

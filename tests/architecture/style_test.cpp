@@ -20,34 +20,14 @@ bool has_magic_tolerance(const std::string& code) {
            std::regex_search(code, binary);
 }
 
-struct Exception {
-    const char *file, *code, *reason;
-};
-
-constexpr Exception exceptions[]{
-    {"core/scene/nff_tube.cpp", "same_radius = 1e-12", "a file's decimals are rounded"},
-    {"core/scene/polygon_check.cpp", "length(area) < 1e-12",
-     "of a polygon scaled to size 1, from a file's decimals"},
-    {"core/scene/toml_generics.cpp", "flatness = 1e-6", "a file's decimals are rounded"},
-    {"core/scene/view_check.hpp", "< 1e-9", "the sine of an angle that a file gives"},
-    {"core/scene/read_nff.cpp", "index >= 1e-6 && index <= 1e6", "what an author may ask for"},
-    {"core/scene/toml_materials.cpp", "possible_speed{1e-6, 1e6}", "what an author may ask for"},
-    {"core/tracer/render.cpp", "1e-9 * double(time.tv_nsec)", "nanoseconds"},
-};
-
-bool is_exception(const std::string& file, const std::string& line) {
-    return std::any_of(std::begin(exceptions), std::end(exceptions), [&](const Exception& known) {
-        return file == known.file && line.find(known.code) != std::string::npos;
-    });
-}
-
 TEST(Style, core_has_no_magic_tolerances) {
     for (const auto& file : sources_under(source_tree / "core")) {
         const std::string name = file.lexically_relative(source_tree).generic_string();
-        if (name.starts_with("core/math/")) continue; // constants of proven algorithms
+        if (name.starts_with("core/math/"))
+            continue; // constants of proven algorithms, and of rounded decimals
         const auto lines = without_comments(lines_of(file));
         for (std::size_t i = 0; i < lines.size(); ++i)
-            if (has_magic_tolerance(without_literals(lines[i])) && !is_exception(name, lines[i]))
+            if (has_magic_tolerance(without_literals(lines[i])))
                 ADD_FAILURE() << name << ":" << i + 1 << ": derive the tolerance: " << lines[i];
     }
 }
