@@ -2,8 +2,11 @@
 // What each Numbers' own file instantiates (see the folder numbers).
 
 #include "core/extents/scan.hpp"
+#include "core/tracer/reference_samples.hpp"
 #include "core/tracer/tiles.hpp"
 #include "core/tracer/tracer.hpp"
+
+#include <tuple>
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -39,6 +42,59 @@ template <Numbers N> Recording record(const World<N>& world, const Ray<double>& 
     Tracer tracer(world, stage, work, recorder);
     const Colour colour = tracer.trace(as<ScalarOf<N>>(ray));
     return {recorder.take(), colour, recorder.dropped()};
+}
+
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] FirstHit first_hit(const World<N>& world, const Scan<N>& stage, const Ray<T>& ray,
+                                 Work<T>& work) {
+    NullRecorder recorder;
+    const Leaving<T> nothing;
+    const auto nearest = stage.closest(ray, Range<T>{T(0)}, nothing, work, recorder);
+    if (!nearest) return {};
+    const Interaction<N> at = interact(world, ray, nearest, nothing, none, work);
+    const double t = double(at.hit.t);
+    return {Id(at.hit.object), t, double(at.hit.t - T(t)), is_textbook<N> ? 0 : double(at.error_bound)};
+}
+
+template <Numbers N>
+std::vector<FirstHit> first_hits(const World<N>& world, const Camera& camera, const RenderOptions& options) {
+    using T = ScalarOf<N>;
+    const int width = options.width > 0 ? options.width : camera.width;
+    const int height = options.height > 0 ? options.height : camera.height;
+    const Scan<N> stage(world);
+    const EyeRays eye_rays(camera, width, height);
+    std::vector<FirstHit> hits(std::size_t(width) * std::size_t(height));
+    tbb::enumerable_thread_specific<Work<T>> works;
+    std::ignore = for_each_tile(width, height, options, [&](const Tile& tile) {
+        for (int y = tile.top; y < tile.bottom; ++y)
+            for (int x = tile.left; x < tile.right; ++x)
+                hits[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
+                    first_hit(world, stage, as<T>(eye_rays.through(x + 0.5, y + 0.5)), works.local());
+    });
+    return hits;
+}
+
+template <Numbers N>
+std::vector<ReferenceSample> reference_samples(const World<N>& world, const EyeRays& eye_rays, int width,
+                                               int top, int bottom, const RenderOptions& options) {
+    using T = ScalarOf<N>;
+    const Scan<N> stage(world);
+    std::vector<ReferenceSample> samples(std::size_t(width) * std::size_t(bottom - top));
+    tbb::enumerable_thread_specific<Work<T>> works;
+    std::ignore = for_each_tile(width, bottom - top, options, [&](const Tile& tile) {
+        NullRecorder recorder;
+        for (int y = tile.top; y < tile.bottom; ++y) {
+            for (int x = tile.left; x < tile.right; ++x) {
+                const Ray<T> ray = as<T>(eye_rays.through(x + 0.5, top + y + 0.5));
+                Tracer tracer(world, stage, works.local(), recorder, LargestFirst<T>());
+                ReferenceSample& sample = samples[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+                sample.colour = tracer.trace(ray);
+                sample.lost = tracer.order().lost();
+                sample.first = first_hit(world, stage, ray, works.local());
+            }
+        }
+    });
+    return samples;
 }
 
 } // namespace rayscope

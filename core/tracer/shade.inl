@@ -6,8 +6,8 @@
 
 namespace rayscope {
 
-template <Numbers N, typename Stage, typename Recorder>
-Colour Tracer<N, Stage, Recorder>::trace(const Ray<T>& ray) {
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+Colour Tracer<N, Stage, Recorder, Order>::trace(const Ray<T>& ray) {
     rays_left_ = world_.max_rays;
     const Leaving<T> nothing;
     Budget budget;
@@ -16,11 +16,14 @@ Colour Tracer<N, Stage, Recorder>::trace(const Ray<T>& ray) {
         budget.medium = medium_at_start(world_, ray, work_);
         recorder_.record(spawned(RayKind::eye, ray, nothing, budget));
     }
-    return shade(ray, nothing, budget);
+    Colour colour = shade(ray, nothing, budget);
+    if constexpr (Order::waits) colour += follow_waiting();
+    return colour;
 }
 
-template <Numbers N, typename Stage, typename Recorder>
-Colour Tracer<N, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& leaving, const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+Colour Tracer<N, Stage, Recorder, Order>::shade(const Ray<T>& ray, const Leaving<T>& leaving,
+                                                const Budget& budget) {
     const std::uint64_t before = work_.counters.objects;
     const Range<T> range{budget.depth == 0 ? T(0) : secondary_start<N>};
     const auto hit = stage_.closest(ray, range, leaving, work_, recorder_);
@@ -55,8 +58,8 @@ Colour Tracer<N, Stage, Recorder>::shade(const Ray<T>& ray, const Leaving<T>& le
     return colour;
 }
 
-template <Numbers N, typename Stage, typename Recorder>
-Colour Tracer<N, Stage, Recorder>::local_light(const Interaction<N>& at, const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+Colour Tracer<N, Stage, Recorder, Order>::local_light(const Interaction<N>& at, const Budget& budget) {
     if (at.leaves_transmitting_solid) {
         if constexpr (Recorder::enabled) recorder_.record(LocalLightSkipped{});
         return Colour{0};
@@ -67,8 +70,8 @@ Colour Tracer<N, Stage, Recorder>::local_light(const Interaction<N>& at, const B
     return colour;
 }
 
-template <Numbers N, typename Stage, typename Recorder>
-Colour Tracer<N, Stage, Recorder>::light_from(Id id, const Interaction<N>& at, const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+Colour Tracer<N, Stage, Recorder, Order>::light_from(Id id, const Interaction<N>& at, const Budget& budget) {
     const Light& light = world_.lights[std::size_t(id)];
     const Vec3<T> position = as<T>(light.position);
     const Vec3<T> offset = light.directional ? position : position - at.point;
@@ -89,9 +92,9 @@ Colour Tracer<N, Stage, Recorder>::light_from(Id id, const Interaction<N>& at, c
     return diffuse * arriving + specular * arriving;
 }
 
-template <Numbers N, typename Stage, typename Recorder>
-Colour Tracer<N, Stage, Recorder>::visibility(Id light, const Vec3<T>& to_light, T distance,
-                                              const Interaction<N>& at, const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+Colour Tracer<N, Stage, Recorder, Order>::visibility(Id light, const Vec3<T>& to_light, T distance,
+                                                     const Interaction<N>& at, const Budget& budget) {
     const Ray<T> ray{at.point, to_light};
     ++work_.counters.rays[std::size_t(RayKind::shadow)];
     if constexpr (Recorder::enabled)
@@ -112,9 +115,9 @@ Colour Tracer<N, Stage, Recorder>::visibility(Id light, const Vec3<T>& to_light,
     return seen;
 }
 
-template <Numbers N, typename Stage, typename Recorder>
-Colour Tracer<N, Stage, Recorder>::mirrored_light(const Interaction<N>& at, const Colour& coefficient,
-                                                  const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+Colour Tracer<N, Stage, Recorder, Order>::mirrored_light(const Interaction<N>& at, const Colour& coefficient,
+                                                         const Budget& budget) {
     if (const auto reason = limits_.refusal(budget, coefficient, rays_left_)) {
         refuse(RayKind::reflected, *reason, coefficient, budget);
         return Colour{0};
@@ -126,9 +129,9 @@ Colour Tracer<N, Stage, Recorder>::mirrored_light(const Interaction<N>& at, cons
     return follow({RayKind::reflected, coefficient, direction, at.back, at.media.from}, at, budget);
 }
 
-template <Numbers N, typename Stage, typename Recorder>
-Colour Tracer<N, Stage, Recorder>::transmitted_light(const Interaction<N>& at, const Refraction<T>& bent,
-                                                     const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+Colour Tracer<N, Stage, Recorder, Order>::transmitted_light(const Interaction<N>& at,
+                                                            const Refraction<T>& bent, const Budget& budget) {
     const Colour& transmission = at.material->transmission;
     if (const auto reason = limits_.refusal(budget, transmission, rays_left_)) {
         refuse(RayKind::refracted, *reason, transmission, budget);
@@ -142,20 +145,39 @@ Colour Tracer<N, Stage, Recorder>::transmitted_light(const Interaction<N>& at, c
     return follow({RayKind::refracted, transmission, bent.direction, at.through, at.media.to}, at, budget);
 }
 
-template <Numbers N, typename Stage, typename Recorder>
-Colour Tracer<N, Stage, Recorder>::follow(const Continuation& next, const Interaction<N>& at,
-                                          const Budget& budget) {
-    --rays_left_;
-    ++work_.counters.rays[std::size_t(next.kind)];
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+Colour Tracer<N, Stage, Recorder, Order>::follow(const Continuation& next, const Interaction<N>& at,
+                                                 const Budget& budget) {
     const Ray<T> ray{at.point, next.direction};
     const Budget after = budget.after(next.coefficient, next.medium);
-    if constexpr (Recorder::enabled) recorder_.record(spawned(next.kind, ray, next.leaving, after));
-    return next.coefficient * shade(ray, next.leaving, after);
+    if constexpr (Order::waits) {
+        order_.push({next.kind, ray, next.leaving, after});
+        return Colour{0};
+    } else {
+        --rays_left_;
+        ++work_.counters.rays[std::size_t(next.kind)];
+        if constexpr (Recorder::enabled) recorder_.record(spawned(next.kind, ray, next.leaving, after));
+        return next.coefficient * shade(ray, next.leaving, after);
+    }
 }
 
-template <Numbers N, typename Stage, typename Recorder>
-void Tracer<N, Stage, Recorder>::note_total_reflection(const Refraction<T>& bent, const Colour& coefficient,
-                                                       const Interaction<N>& at) {
+// A waiting ray's weight is the share of all that it will bring: nothing is weighed on a way up.
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+Colour Tracer<N, Stage, Recorder, Order>::follow_waiting() {
+    Colour colour{0};
+    for (; !order_.empty() && rays_left_ > 0; --rays_left_) {
+        const WaitingRay<T> next = order_.pop();
+        ++work_.counters.rays[std::size_t(next.kind)];
+        colour += next.budget.weight * shade(next.ray, next.leaving, next.budget);
+    }
+    while (!order_.empty()) order_.lose(order_.pop().budget.weight);
+    return colour;
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+void Tracer<N, Stage, Recorder, Order>::note_total_reflection(const Refraction<T>& bent,
+                                                              const Colour& coefficient,
+                                                              const Interaction<N>& at) {
     ++work_.counters.total_reflections;
     if constexpr (Recorder::enabled)
         recorder_.record(TotallyReflected{
@@ -164,12 +186,15 @@ void Tracer<N, Stage, Recorder>::note_total_reflection(const Refraction<T>& bent
             double(bent.eta)});
 }
 
-template <Numbers N, typename Stage, typename Recorder>
-void Tracer<N, Stage, Recorder>::refuse(RayKind kind, Reason reason, const Colour& coefficient,
-                                        const Budget& budget) {
+template <Numbers N, typename Stage, typename Recorder, typename Order>
+void Tracer<N, Stage, Recorder, Order>::refuse(RayKind kind, Reason reason, const Colour& coefficient,
+                                               const Budget& budget) {
     if (reason == Reason::depth) ++work_.counters.cut_by_depth;
     if (reason == Reason::weight) ++work_.counters.cut_by_weight;
     if (reason == Reason::ray_limit) ++work_.counters.cut_by_ray_limit;
+    if constexpr (Order::waits)
+        if (reason == Reason::depth || reason == Reason::weight || reason == Reason::ray_limit)
+            order_.lose(budget.weight * coefficient);
     if constexpr (Recorder::enabled)
         recorder_.record(NotSpawned{kind, reason, largest_component(coefficient),
                                     largest_component(budget.weight * coefficient)});

@@ -6,24 +6,28 @@
 #include "core/shading/phong.hpp"
 #include "core/tracer/budget.hpp"
 #include "core/tracer/interaction.hpp"
+#include "core/tracer/order.hpp"
 #include "core/tracer/recording.hpp"
 
 namespace rayscope {
 
 /// Follows rays through a world. One tracer serves one thread.
-template <Numbers N, typename Stage, typename Recorder> class Tracer {
+template <Numbers N, typename Stage, typename Recorder, typename Order = DepthFirst> class Tracer {
 public:
     using T = ScalarOf<N>;
 
-    Tracer(const World<N>& world, const Stage& stage, Work<T>& work, Recorder& recorder)
+    Tracer(const World<N>& world, const Stage& stage, Work<T>& work, Recorder& recorder, Order order = {})
         : world_(world),
           stage_(stage),
           work_(work),
           recorder_(recorder),
+          order_(std::move(order)),
           limits_{world.max_depth, world.min_weight} {}
 
     /// The light that comes back along an eye ray, linear RGB.
     [[nodiscard]] Colour trace(const Ray<T>& ray);
+
+    [[nodiscard]] const Order& order() const { return order_; }
 
 private:
     /// A ray that the material asks for.
@@ -45,6 +49,7 @@ private:
     [[nodiscard]] Colour transmitted_light(const Interaction<N>& at, const Refraction<T>& bent,
                                            const Budget& budget);
     [[nodiscard]] Colour follow(const Continuation& next, const Interaction<N>& at, const Budget& budget);
+    [[nodiscard]] Colour follow_waiting();
     void note_total_reflection(const Refraction<T>& bent, const Colour& coefficient,
                                const Interaction<N>& at);
     void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
@@ -53,6 +58,7 @@ private:
     const Stage& stage_;
     Work<T>& work_;
     Recorder& recorder_;
+    [[no_unique_address]] Order order_;
     RecursionLimits limits_;
     int rays_left_ = 0;
 };

@@ -4,5 +4,8 @@ namespace rayscope {
 
 template RenderResult render(const World<double>&, const Camera&, const RenderOptions&);
 template Recording record(const World<double>&, const Ray<double>&);
+template std::vector<FirstHit> first_hits(const World<double>&, const Camera&, const RenderOptions&);
+template std::vector<ReferenceSample> reference_samples(const World<double>&, const EyeRays&, int, int, int,
+                                                        const RenderOptions&);
 
 } // namespace rayscope

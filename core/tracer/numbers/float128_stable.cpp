@@ -4,5 +4,8 @@ namespace rayscope {
 
 template RenderResult render(const World<Float128>&, const Camera&, const RenderOptions&);
 template Recording record(const World<Float128>&, const Ray<double>&);
+template std::vector<FirstHit> first_hits(const World<Float128>&, const Camera&, const RenderOptions&);
+template std::vector<ReferenceSample> reference_samples(const World<Float128>&, const EyeRays&, int, int, int,
+                                                        const RenderOptions&);
 
 } // namespace rayscope

@@ -4,5 +4,7 @@ namespace rayscope {
 
 template RenderResult render(const World<Textbook<Float128>>&, const Camera&, const RenderOptions&);
 template Recording record(const World<Textbook<Float128>>&, const Ray<double>&);
+template std::vector<FirstHit> first_hits(const World<Textbook<Float128>>&, const Camera&,
+                                          const RenderOptions&);
 
 } // namespace rayscope

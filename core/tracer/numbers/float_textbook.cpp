@@ -4,5 +4,6 @@ namespace rayscope {
 
 template RenderResult render(const World<Textbook<float>>&, const Camera&, const RenderOptions&);
 template Recording record(const World<Textbook<float>>&, const Ray<double>&);
+template std::vector<FirstHit> first_hits(const World<Textbook<float>>&, const Camera&, const RenderOptions&);
 
 } // namespace rayscope
