@@ -18,22 +18,16 @@ template <Scalar T> struct Cluster {
 /// even one vanishes, thin pieces and thin gaps alike. It acts on the root's list alone; dropping thin pieces at each
 /// node would depend on how the tree is grouped.
 /// @param list ascending, entering and leaving in turn, not empty
-/// @param error_bound called as error_bound(crossing): a bound on |t − exact t|, 0 for an infinite end
+/// @param coincide called as coincide(crossing, next): may their difference in t be rounding?
 /// @param merged called with each Cluster of more than one crossing
 /// @return the new size of the list
-template <Scalar T, typename ErrorBound, typename Merged>
-[[nodiscard]] std::size_t merge_clusters(std::span<Crossing<T>> list, const ErrorBound& error_bound,
+template <Scalar T, typename Coincide, typename Merged>
+[[nodiscard]] std::size_t merge_clusters(std::span<Crossing<T>> list, const Coincide& coincide,
                                          const Merged& merged) {
     std::size_t kept = 0;
-    T bound = error_bound(list.front());
     for (std::size_t first = 0; first < list.size();) {
         std::size_t last = first;
-        for (; last + 1 < list.size(); ++last) {
-            const T next_bound = error_bound(list[last + 1]);
-            const bool coincide = list[last + 1].t - list[last].t <= bound + next_bound;
-            bound = next_bound;
-            if (!coincide) break;
-        }
+        while (last + 1 < list.size() && coincide(list[last], list[last + 1])) ++last;
         const std::size_t count = last - first + 1;
         if (count > 1) merged(Cluster<T>{int(count), list[first].t, list[last].t, count % 2 == 1});
         if (count % 2 == 1) {

@@ -78,7 +78,7 @@ auto Scan<N>::closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>
     each_candidate<Recorder>(ray, leaving, work, [&](std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray, range, start, recorder);
         if (const auto first = first_of_object(world_, object, ray, range, start, work))
-            nearest.offer({first->t, object, first->surface, first->entering});
+            nearest.offer(*first);
         return false;
     });
     return nearest;

@@ -26,6 +26,9 @@ template <Scalar T> constexpr T power_of_half(int exponent) {
     for (int i = 0; i < exponent; ++i) power /= T(2);
     return power;
 }
+
+/// Sums of squares between this and its inverse have lost nothing to the ends of the range.
+template <Scalar T> inline constexpr T least_safe_square = power_of_half<T>(digits<T> * 5 / 2);
 } // namespace limits
 
 /// Distance from 1 to the next representable number; the rounding unit is half of it.

@@ -52,8 +52,12 @@ template <Scalar To, Scalar From> [[nodiscard]] inline Vec3<To> as(const Vec3<Fr
     return {To(v.x), To(v.y), To(v.z)};
 }
 
-/// v / |v|; the zero vector stays zero.
+/// v / |v|; the zero vector stays zero, and a vector that is unit as far as rounding can tell stays what it is.
 template <Scalar T> [[nodiscard]] inline Vec3<T> normalized(const Vec3<T>& v) {
+    const T square = dot(v, v);
+    if (magnitude(square - T(1)) <= T(4) * epsilon<T>) return v;
+    constexpr T least = limits::least_safe_square<T>;
+    if (square > least && square < T(1) / least) return v / sqrt(square);
     const T scale = largest_component(absolute(v));
     if (!(scale > T(0))) return v;
     const Vec3<T> w = v / scale;

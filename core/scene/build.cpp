@@ -32,13 +32,25 @@ struct Placed {
     const Generic<double>& shape;
     const Mat4d& matrix;
     std::uint32_t object, material;
+    Box<double> bounds; // in world space
 };
+
+// See Solid::reach.
+double reach_of(const Placed& placed) {
+    const Box<double>& b = placed.bounds;
+    if (b.bounded()) return largest_component(absolute(b.low)) + largest_component(absolute(b.high));
+    double reach = 0;
+    for (int column = 0; column < 4; ++column)
+        reach += largest_component(absolute(Vec3d{placed.matrix[column]}));
+    return reach;
+}
 
 // A sphere that no matrix distorts needs none: it is put at its place in world space.
 template <Numbers N> Solid<N> solid_of(const Placed& placed) {
     Solid<N> solid;
     solid.object = placed.object;
     solid.material = placed.material;
+    solid.reach = ScalarOf<N>(reach_of(placed));
     const double scale =
         std::holds_alternative<Sphere<double>>(placed.shape) ? similarity_scale(placed.matrix) : 0;
     if (scale > 0) {
@@ -93,10 +105,11 @@ private:
 
     // Adds the solid and returns the box around it.
     Box<double> add_solid(const SceneGeneric& generic, const Mat4d& matrix, std::uint32_t material) {
-        place_({generic.shape, matrix, std::uint32_t(world_.objects.size()), material});
+        const Box<double> bounds =
+            transformed(std::visit([](const auto& shape) { return shape.bounds(); }, generic.shape), matrix);
+        place_({generic.shape, matrix, std::uint32_t(world_.objects.size()), material, bounds});
         ++solids_;
-        return transformed(std::visit([](const auto& shape) { return shape.bounds(); }, generic.shape),
-                           matrix);
+        return bounds;
     }
 
     void add_generic(std::size_t index) {

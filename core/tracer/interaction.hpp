@@ -46,15 +46,12 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] Hit<T> first_in_file(const World<N>& world, const Ray<T>& ray, const Nearest<T>& nearest,
                                    std::vector<Hit<T>>& coincident) {
-    const auto bound = [&](const Hit<T>& hit) {
-        return error_bound(world, ray, Crossing<T>{hit.t, hit.surface, hit.entering});
-    };
+    const auto crossing = [](const Hit<T>& hit) { return Crossing<T>{hit.t, hit.surface, hit.entering}; };
     coincident.clear();
     Hit<T> first = *nearest;
     if (is_textbook<N> || nearest.all().size() == 1) return first;
-    const T own = bound(*nearest);
     for (const Hit<T>& hit : nearest.all()) {
-        if (hit.t - (*nearest).t > own + bound(hit)) continue;
+        if (!coincide(world, ray, crossing(*nearest), crossing(hit))) continue;
         coincident.push_back(hit);
         if (hit.object < first.object) first = hit;
     }

@@ -44,11 +44,11 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     }
     Containing before, beyond;
     if (is_medium) (hit.entering ? beyond : before).offer(own.priority, Id(hit.object));
-    const T own_bound = error_bound(world, ray, Crossing<T>{hit.t, hit.surface, hit.entering});
+    const Crossing<T> own_crossing{hit.t, hit.surface, hit.entering};
     world.media.each_near(hit.object, [&](std::uint32_t other) {
         bool inside = false, inside_before = false, met = false;
         for (const Crossing<T>& c : crossings(world, other, ray, leaving.of(other), work)) {
-            const bool same_place = magnitude(c.t - hit.t) <= own_bound + error_bound(world, ray, c);
+            const bool same_place = coincide(world, ray, own_crossing, c);
             if (!same_place && c.t > hit.t) break;
             if (same_place && !met) inside_before = inside;
             met = met || same_place;

@@ -28,6 +28,26 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     return world.solids[crossing.surface.solid].error_bound(ray, crossing.t, crossing.surface.face, off);
 }
 
+/// Whether two crossings are so close that it pays to ask for their error bounds. Where rounding moves the surface of a
+/// solid of size r, seen over a distance s, by some ε (r + s), it moves a graze by some √ε (r + s), and nothing by more;
+/// this is 256 times as much, room for matrices that distort.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] bool near(const World<N>& world, const Ray<T>& ray, const Crossing<T>& a,
+                        const Crossing<T>& b) {
+    constexpr T relative = limits::power_of_half<T>(limits::digits<T> / 2 - 8);
+    const T reach = world.solids[a.surface.solid].reach + world.solids[b.surface.solid].reach;
+    return magnitude(b.t - a.t) <=
+           relative * (magnitude(a.t) + largest_component(absolute(ray.origin)) + reach);
+}
+
+/// Whether rounding may be all that parts two crossings: they lie within the sum of their error bounds.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] bool coincide(const World<N>& world, const Ray<T>& ray, const Crossing<T>& a,
+                            const Crossing<T>& b) {
+    return near(world, ray, a, b) &&
+           magnitude(b.t - a.t) <= error_bound(world, ray, a) + error_bound(world, ray, b);
+}
+
 /// Ignores what merge_clusters reports.
 inline constexpr auto unrecorded = [](const auto&) {};
 
@@ -37,8 +57,8 @@ template <Numbers N, Scalar T = ScalarOf<N>, typename Merged>
 void settle(const World<N>& world, const Ray<T>& ray, SpanStack<T>& scratch, const Merged& merged) {
     if (is_textbook<N> || scratch.top_size() < 2) return;
     const std::span list(scratch.top_begin(), scratch.top_size());
-    scratch.resize_top(
-        merge_clusters(list, [&](const Crossing<T>& c) { return error_bound(world, ray, c); }, merged));
+    scratch.resize_top(merge_clusters(
+        list, [&](const auto& a, const auto& b) { return coincide(world, ray, a, b); }, merged));
 }
 
 /// The object's crossings with the ray's whole line, ascending; valid until the scratch is used again.
@@ -50,8 +70,14 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     ++work.counters.objects;
     if (o.is_compound) {
         ++work.counters.compounds;
+        work.of_operands.clear();
         run(std::span<const Instruction>(world.compounds[o.index].program), work.scratch,
-            [&](std::uint32_t solid) { append_crossings(world, solid, ray, leaving, work); });
+            [&](std::uint32_t solid) {
+                append_crossings(world, solid, ray, leaving, work);
+                if constexpr (!is_textbook<N>)
+                    work.of_operands.insert(work.of_operands.end(), work.scratch.top_begin(),
+                                            work.scratch.top_begin() + work.scratch.top_size());
+            });
         settle(world, ray, work.scratch, unrecorded);
     } else {
         work.scratch.clear();
@@ -69,15 +95,14 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] Surface owner(const World<N>& world, const Ray<T>& ray, const Hit<T>& hit,
                             const LeavingSurface<T>* leaving, Work<T>& work) {
     const Object& o = world.objects[hit.object];
-    if (is_textbook<N> || !o.is_compound) return hit.surface;
-    const T bound = error_bound(world, ray, Crossing<T>{hit.t, hit.surface, hit.entering});
+    if (!hit.crowded) return hit.surface;
+    const Crossing<T> own{hit.t, hit.surface, hit.entering};
     run(std::span<const Instruction>(world.compounds[o.index].program), work.scratch,
         [&](std::uint32_t solid) {
             append_crossings(world, solid, ray, leaving, work);
             for (std::size_t i = 0; i < work.scratch.top_size(); ++i) {
                 Crossing<T>& crossing = work.scratch.top_begin()[i];
-                if (magnitude(crossing.t - hit.t) <= bound + error_bound(world, ray, crossing))
-                    crossing.t = hit.t;
+                if (coincide(world, ray, own, crossing)) crossing.t = hit.t;
             }
         });
     const std::span list(work.scratch.top_begin(), work.scratch.top_size());
@@ -117,17 +142,35 @@ first_crossing(const World<N>& world, const Ray<T>& ray, std::span<const Crossin
     return std::nullopt;
 }
 
+/// Whether another operand of the compound that was just asked for its crossings has one near this.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] bool crowded(const World<N>& world, const Ray<T>& ray, const Crossing<T>& crossing,
+                           const Work<T>& work) {
+    if (is_textbook<N>) return false;
+    return std::any_of(work.of_operands.begin(), work.of_operands.end(), [&](const Crossing<T>& other) {
+        return other.surface.solid != crossing.surface.solid && near(world, ray, crossing, other);
+    });
+}
+
 /// The first crossing in the range of one object, whatever it is.
 template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] std::optional<Crossing<T>> first_of_object(const World<N>& world, std::uint32_t object,
-                                                         const Ray<T>& ray, const Range<T>& range,
-                                                         const LeavingSurface<T>* leaving, Work<T>& work) {
+[[nodiscard]] std::optional<Hit<T>> first_of_object(const World<N>& world, std::uint32_t object,
+                                                    const Ray<T>& ray, const Range<T>& range,
+                                                    const LeavingSurface<T>* leaving, Work<T>& work) {
     const Object& o = world.objects[object];
-    if (o.is_compound || leaving != nullptr)
-        return first_crossing(world, ray, crossings(world, object, ray, leaving, work), range, leaving);
+    const auto hit = [&](const Crossing<T>& c, bool crowded) {
+        return Hit<T>{c.t, object, c.surface, c.entering, crowded};
+    };
+    if (o.is_compound || leaving != nullptr) {
+        const auto first =
+            first_crossing(world, ray, crossings(world, object, ray, leaving, work), range, leaving);
+        if (!first) return std::nullopt;
+        return hit(*first, o.is_compound && crowded(world, ray, *first, work));
+    }
     ++work.counters.objects;
     ++work.counters.tests[world.solids[o.index].shape.index()];
-    return world.solids[o.index].closest(ray, range, o.index);
+    if (const auto first = world.solids[o.index].closest(ray, range, o.index)) return hit(*first, false);
+    return std::nullopt;
 }
 
 } // namespace rayscope

@@ -15,6 +15,7 @@ template <Numbers N> struct Solid {
     Transform<N> transform;
     std::uint32_t object = 0;   ///< index into World::objects
     std::uint32_t material = 0; ///< local light of its walls: index into World::materials
+    T reach = T(0);       ///< the largest coordinate of its bounds, or, where those are infinite, of a part
     bool is_ball = false; ///< a sphere in world space: its transform is a translation, its radius the world's
 
     /// The inside list on a world ray's whole line: the ray is moved, t is the same in both spaces.
@@ -53,10 +54,11 @@ template <Numbers N> struct Solid {
         return std::nullopt;
     }
 
-    /// Size of δ above: how far, in object space along the normal, the computed crossing can lie from the surface.
-    [[nodiscard]] T surface_distance(const Ray<T>& ray, T t, const Vec3<T>& unit_normal) const {
+    /// Size of δ above: how far, in object space along the normal, the computed crossing can lie from the surface, times the
+    /// length of the normal.
+    [[nodiscard]] T surface_distance(const Ray<T>& ray, T t, const Vec3<T>& normal) const {
         const Vec3<T> e = transform.point_error(ray, t);
-        const Vec3<T> n = absolute(unit_normal);
+        const Vec3<T> n = absolute(normal);
         return T(4) * epsilon<T> * dot(n, e);
     }
 };
@@ -78,11 +80,14 @@ template <Numbers N> auto Solid<N>::error_bound(const Ray<T>& ray, T t, int face
     const Vec3<T> p = moved.at(t);
     return std::visit(
         [&](const auto& s) {
-            const Vec3<T> n = normalized(s.normal(p, face));
-            const T moved_off =
-                off * magnitude(dot(n, transform.vector_to_object(transform.normal_to_world(n))));
-            return root_shift(surface_distance(ray, t, n) + moved_off, dot(n, moved.direction),
-                              s.curvature(p, moved.direction, face));
+            // All of it scales with the normal's length, so that it need not be 1.
+            const Vec3<T> n = s.normal(p, face);
+            T moved_off = T(0);
+            if (off > T(0))
+                moved_off = off * magnitude(dot(n, transform.vector_to_object(transform.normal_to_world(n))));
+            T curvature = s.curvature(p, moved.direction, face);
+            if (curvature > T(0)) curvature *= sqrt(dot(n, n));
+            return root_shift(surface_distance(ray, t, n) + moved_off, dot(n, moved.direction), curvature);
         },
         shape);
 }

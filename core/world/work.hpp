@@ -16,6 +16,8 @@ template <Scalar T> struct Hit {
     std::uint32_t object = 0;
     Surface surface;
     bool entering = false;
+    bool crowded =
+        false; ///< operands of the compound meet nearby: whose surface it is, is to be asked (see owner)
 
     /// Least t; on a tie the object that is first in the file.
     [[nodiscard]] bool precedes(const Hit& other) const {
@@ -110,6 +112,7 @@ template <Scalar T> struct Blocker {
 
 template <Scalar T> struct Work {
     SpanStack<T> scratch;
+    std::vector<Crossing<T>> of_operands; ///< of the compound that was asked last
     std::vector<Blocker<T>> blockers;
     std::vector<Hit<T>> coincident;
     Counters counters;

@@ -15,7 +15,7 @@ struct Merged {
 Merged merged(List list, double bound) {
     Merged result;
     const std::size_t size = merge_clusters(
-        std::span(list), [&](const Crossing<double>& c) { return std::isfinite(c.t) ? bound : 0.0; },
+        std::span(list), [&](const auto& a, const auto& b) { return b.t - a.t <= 2 * bound; },
         [&](const Cluster<double>& c) { result.clusters.push_back(c); });
     list.resize(size);
     result.list = list;
@@ -51,20 +51,6 @@ TEST(Clusters, the_sum_of_both_bounds_decides) {
     EXPECT_EQ(merged(list_of(1, {1, 1 + gap}), gap * 0.49).list.size(), 2U);
     EXPECT_EQ(merged(list_of(1, {1, 1 + gap}), 0).list.size(), 2U);
     EXPECT_EQ(merged(list_of(1, {-1 - gap, -1}), gap / 2).list.size(), 0U);
-}
-
-TEST(Clusters, each_bound_is_asked_for_once) {
-    List list = list_of(1, {1, 1.5, 100, 100.25, 300, 301});
-    std::vector<double> asked;
-    const std::size_t size = merge_clusters(
-        std::span(list),
-        [&](const Crossing<double>& c) {
-            asked.push_back(c.t);
-            return c.t < 100 ? 0.0 : c.t < 300 ? 0.125 : 0.25;
-        },
-        [](const auto&) {});
-    EXPECT_EQ(asked, (std::vector<double>{1, 1.5, 100, 100.25, 300, 301}));
-    EXPECT_EQ(size, 4U); // 100 … 100.25 is gone
 }
 
 TEST(Clusters, an_odd_one_keeps_one_crossing_of_the_leftmost_operand_that_goes_its_way) {
