@@ -2,6 +2,7 @@
 
 #include "core/files/atomic_file.hpp"
 #include "core/image/encoders.hpp"
+#include "core/math/hash.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,17 +46,11 @@ void write_image(const Image& image, const std::filesystem::path& path) {
 }
 
 std::uint64_t hash(const Image& image) {
-    std::uint64_t value = 0xcbf29ce484222325;
-    const auto add = [&](std::uint32_t word) {
-        for (int shift = 0; shift < 32; shift += 8) {
-            value ^= (word >> shift) & 0xff;
-            value *= 0x100000001b3;
-        }
-    };
-    add(std::uint32_t(image.width));
-    add(std::uint32_t(image.height));
-    for (const float component : image.rgb) add(std::bit_cast<std::uint32_t>(component));
-    return value;
+    const std::array<std::uint32_t, 2> size{std::uint32_t(image.width), std::uint32_t(image.height)};
+    return Fnv1a()
+        .add(size.data(), sizeof size)
+        .add(image.rgb.data(), image.rgb.size() * sizeof(float))
+        .value();
 }
 
 } // namespace rayscope

@@ -28,7 +28,7 @@ const std::map<std::string, Folders, std::less<>> stands_on = {
     {"octree", {"world"}},
     {"bvh", {"world"}},
     {"tracer", {"extents", "octree", "bvh", "image"}},
-    {"accuracy", {"tracer"}},
+    {"accuracy", {"tracer", "scene"}},
     {"scene", {"world", "files"}},
     {"effects", {"scene"}},
 };
