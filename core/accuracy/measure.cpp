@@ -94,7 +94,8 @@ void mark_front(std::vector<Measured>& list, const Reference& reference) {
     double best = infinity<double>;
     for (const std::size_t i : order) {
         const double error = ranked_error(list[i], reference);
-        list[i].on_front = error < best;
+        // Less than the reference's own uncertainty is no gain.
+        list[i].on_front = best == infinity<double> || error < best - reference.relative_rmse_floor;
         best = minimum(best, error);
     }
 }

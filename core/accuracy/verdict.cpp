@@ -35,8 +35,8 @@ std::optional<std::string> on_method(const std::vector<Measured>& list, const Me
     const std::size_t wrong = school->error.wrong_pixels, left = base.error.wrong_pixels;
     std::string gain;
     if (wrong == 0 && left == 0)
-        gain = fmt::format("neither has a wrong pixel; the relative RMSE falls from {:.2g} to {:.2g}",
-                           school->error.relative_rmse, base.error.relative_rmse);
+        gain = fmt::format("neither has a wrong pixel, the relative RMSE is {:.2g} instead of {:.2g}",
+                           base.error.relative_rmse, school->error.relative_rmse);
     else if (left == 0)
         gain = wrong == 1 ? "removes its wrong pixel" : fmt::format("removes all its {}", pixels(wrong));
     else

@@ -84,4 +84,10 @@ int parse_count(const std::string& option, const std::string& text, int least, i
     return *number;
 }
 
+double parse_positive(const std::string& option, const std::string& text) {
+    const auto number = number_of<double>(text);
+    if (!number || !is_finite(*number) || !(*number > 0)) expected(option, "a number above 0", text);
+    return *number;
+}
+
 } // namespace rayscope::cli

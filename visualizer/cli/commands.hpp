@@ -9,5 +9,6 @@ namespace rayscope::cli {
 [[nodiscard]] int step(const StepOptions& options);
 [[nodiscard]] int trace(const TraceOptions& options);
 [[nodiscard]] int render(const RenderCommandOptions& options);
+[[nodiscard]] int accuracy(const AccuracyCommandOptions& options);
 
 } // namespace rayscope::cli

@@ -15,6 +15,7 @@ namespace {
 struct Texts {
     using Text = std::optional<std::string>;
     Text scene, pixel, ray, digits, png, size, output, threads, statistics, why;
+    Text configurations, target_error, runs, reference_rays;
     bool no_png = false;
 };
 
@@ -69,6 +70,29 @@ CLI::App_p make_render(Texts& texts) {
              "how many work at it, instead of one for each processor");
     add_text(command, "--stats", texts.statistics, "FILE", "write times and counts to a JSON file");
     command.footer("Example:\n  rayscope render lens -o lens.png --size 1280x960\n");
+    return made;
+}
+
+CLI::App_p make_accuracy(Texts& texts) {
+    auto made = std::make_shared<CLI::App>("tell what accuracy costs: time against error", "accuracy");
+    CLI::App& command = *made;
+    add_text(command, "SCENE", texts.scene, "", scene_help);
+    add_text(command, "-o", texts.output, "FOLDER", "also write table, chart and error maps to this folder");
+    add_text(command, "--size", texts.size, "WxH",
+             "size of the images (the scene's, its longer side made 96)");
+    add_text(
+        command, "--configs", texts.configurations, "LIST",
+        "what to compare, with slashes between: default, full, an axis (scalar, method, depth, weight), or "
+        "values such as float,textbook,depth=3");
+    add_text(command, "--target-error", texts.target_error, "E",
+             "find the cheapest with at most this relative RMSE, and prove it at the scene's own size");
+    add_text(command, "--runs", texts.runs, "N", "runs of each configuration, 5 to 1000 (5)");
+    add_text(command, "--threads", texts.threads, "N",
+             "how many work at it, instead of one for each processor");
+    add_text(command, "--reference-rays", texts.reference_rays, "N",
+             "rays of the reference for each pixel, 1 to 1000000 (100000)");
+    command.footer("The reference is kept in ~/.cache/rayscope; after Ctrl-C the same command goes on.\n\n"
+                   "Example:\n  rayscope accuracy lens --configs scalar/float,textbook/depth -o cost\n");
     return made;
 }
 
@@ -138,6 +162,22 @@ RenderCommandOptions render_options(const Texts& texts) {
     return options;
 }
 
+AccuracyCommandOptions accuracy_options(const Texts& texts) {
+    AccuracyCommandOptions options;
+    options.scene = scene_text(texts);
+    if (!texts.scene) throw UsageError("accuracy needs a scene: rayscope accuracy SCENE");
+    options.output = texts.output;
+    if (options.output && options.output->empty()) throw UsageError("-o: expected a folder, found ''");
+    if (texts.configurations) options.configurations = *texts.configurations;
+    if (texts.size) options.size = parse_size(*texts.size);
+    if (texts.target_error) options.target_error = parse_positive("--target-error", *texts.target_error);
+    if (texts.runs) options.runs = parse_count("--runs", *texts.runs, 5, 1000);
+    if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
+    if (texts.reference_rays)
+        options.reference_rays = parse_count("--reference-rays", *texts.reference_rays, 1, 1000000);
+    return options;
+}
+
 /// Each on its own while it parses: below a common parent, a scene called like a command would be taken for one.
 using Commands = std::vector<CLI::App_p>;
 
@@ -182,7 +222,7 @@ std::optional<Help> general_answer(const Commands& commands, const std::vector<s
 
 Options parse_options(int count, const char* const* arguments) {
     Texts texts;
-    const Commands commands{make_step(texts), make_trace(texts), make_render(texts)};
+    const Commands commands{make_step(texts), make_trace(texts), make_render(texts), make_accuracy(texts)};
     const std::vector<std::string> words(arguments + std::min(count, 1), arguments + count);
     if (words.empty()) refuse_command("", commands);
     if (auto help = general_answer(commands, words)) return *std::move(help);
@@ -207,6 +247,7 @@ Options parse_options(int count, const char* const* arguments) {
     refuse_repeated(command);
     if (command.get_name() == "step") return step_options(texts);
     if (command.get_name() == "render") return render_options(texts);
+    if (command.get_name() == "accuracy") return accuracy_options(texts);
     return TraceOptions{ray_choice(texts), needed_output(texts, "trace", "ray.json")};
 }
 

@@ -42,12 +42,21 @@ struct RenderCommandOptions {
     int threads = 0;
 };
 
+struct AccuracyCommandOptions {
+    std::string scene;
+    std::string configurations = "default"; ///< as rayscope::configurations reads them
+    std::optional<std::string> output;      ///< a folder
+    std::optional<Size> size;               ///< of the images; without it a reduced one
+    std::optional<double> target_error;     ///< relative RMSE
+    int runs = 5, threads = 0, reference_rays = 100000;
+};
+
 /// Help or the version, already answered: the text goes to stdout.
 struct Help {
     std::string text;
 };
 
-using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions>;
+using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, AccuracyCommandOptions>;
 
 /// Throws UsageError.
 [[nodiscard]] Options parse_options(int count, const char* const* arguments);

@@ -76,6 +76,12 @@ int run(std::vector<std::string> arguments) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+void run_or_throw(std::vector<std::string> arguments) {
+    const int code = run(std::move(arguments));
+    if (code != 0)
+        throw std::runtime_error("rayscope-view could not draw (exit code " + std::to_string(code) + ")");
+}
+
 } // namespace
 
 bool can_draw() { return access(view_program().c_str(), X_OK) == 0; }
@@ -102,9 +108,12 @@ void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::opti
         arguments.push_back("--size");
         arguments.push_back(std::to_string(size->width) + "x" + std::to_string(size->height));
     }
-    const int code = run(std::move(arguments));
-    if (code != 0)
-        throw std::runtime_error("rayscope-view could not draw (exit code " + std::to_string(code) + ")");
+    run_or_throw(std::move(arguments));
+}
+
+void draw_accuracy(const fs::path& json) {
+    const IgnoreInterrupts patience;
+    run_or_throw({view_program().string(), "accuracy", json.string()});
 }
 
 } // namespace rayscope::cli

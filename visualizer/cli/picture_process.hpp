@@ -20,4 +20,7 @@ enum class Drawing { png, vtm };
 void draw(Drawing drawing, const Trace& trace, const std::filesystem::path& output,
           std::optional<Size> size = {});
 
+/// Has the chart and the error maps of a measurement drawn, beside its accuracy.json. Throws std::runtime_error.
+void draw_accuracy(const std::filesystem::path& json);
+
 } // namespace rayscope::cli

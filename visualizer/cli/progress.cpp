@@ -10,7 +10,7 @@
 
 namespace rayscope::cli {
 
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string what) : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (percent_ >= 0) std::fputs("\r\033[K", stderr);
@@ -25,8 +25,8 @@ void Progress::show(double share) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
     const std::string rest =
         share > 0 ? fmt::format("{:.0f} s left", spent.count() * (1 - share) / share) : std::string();
-    const std::string line =
-        fmt::format("\r{:█<{}}{:░<{}} {:3} %  {}\033[K", "", filled, "", width - filled, percent, rest);
+    const std::string line = fmt::format("\r{} {:█<{}}{:░<{}} {:3} %  {}\033[K", what_, "", filled, "",
+                                         width - filled, percent, rest);
     std::fputs(line.c_str(), stderr);
 }
 

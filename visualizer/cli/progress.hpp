@@ -2,13 +2,15 @@
 // How far a long work has come, on one line of the terminal.
 
 #include <chrono>
+#include <string>
 
 namespace rayscope::cli {
 
 /// Draws on stderr if it is a terminal, else nothing. The line is wiped at the end.
 class Progress {
 public:
-    Progress();
+    /// @param what comes: "reference"
+    explicit Progress(std::string what);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -17,6 +19,7 @@ public:
     void show(double share);
 
 private:
+    std::string what_;
     bool terminal_;
     int percent_ = -1;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -2,31 +2,17 @@
 
 #include "visualizer/cli/commands.hpp"
 #include "visualizer/cli/failure.hpp"
+#include "visualizer/cli/interrupts.hpp"
 #include "visualizer/cli/output_check.hpp"
 #include "visualizer/cli/progress.hpp"
 #include "visualizer/cli/render_report.hpp"
 #include "visualizer/cli/scene_choice.hpp"
 #include "visualizer/cli/warnings.hpp"
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 
 namespace rayscope::cli {
 namespace {
-
-std::atomic<bool> stop_asked_for{false};
-static_assert(std::atomic<bool>::is_always_lock_free); // a signal handler may set nothing else
-
-/// From now on Ctrl-C stops the render and lets a file that is being written become whole. Before, it ends the
-/// program at once, and nothing is there yet that could be broken.
-void catch_interrupts() {
-    struct sigaction action{};
-    action.sa_handler = [](int) { stop_asked_for = true; };
-    sigemptyset(&action.sa_mask);
-    action.sa_flags = SA_RESTART;
-    sigaction(SIGINT, &action, nullptr);
-}
 
 void check_arguments(const RenderCommandOptions& options) {
     check_output("-o", options.output, {".png", ".pfm", ".exr"});
@@ -60,7 +46,7 @@ int render(const RenderCommandOptions& options) {
     catch_interrupts();
     RenderResult result;
     {
-        Progress progress;
+        Progress progress("image");
         tracing.progress = [&](double share) { progress.show(share); };
         result = rayscope::render(bench, tracing);
     }

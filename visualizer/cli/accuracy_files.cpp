@@ -1,0 +1,64 @@
+#include "visualizer/cli/accuracy_files.hpp"
+
+#include "core/files/atomic_file.hpp"
+#include "visualizer/cli/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace rayscope::cli {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path from_environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr ? fs::path(value) : fs::path();
+}
+
+} // namespace
+
+fs::path cache_folder() {
+    // The XDG base directory specification: a relative path is invalid, and ignored.
+    if (const fs::path cache = from_environment("XDG_CACHE_HOME"); cache.is_absolute())
+        return cache / "rayscope";
+    if (const fs::path home = from_environment("HOME"); home.is_absolute())
+        return home / ".cache" / "rayscope";
+    return {};
+}
+
+void prepare_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder))
+        throw UsageError("-o: expected a folder, or a name for a new one, found '" + folder.string() +
+                         "': " + (error ? error.message() : "not a folder"));
+    try {
+        check_writable(folder / "accuracy.json");
+    } catch (const std::exception& problem) {
+        throw UsageError(std::string("-o: ") + problem.what());
+    }
+}
+
+std::string write_map(const fs::path& folder, const Configuration& configuration,
+                      const std::vector<float>& map, int width, int height) {
+    std::string name = "error-" + name_of(configuration) + ".pfm";
+    std::erase(name, ',');
+    std::replace(name.begin(), name.end(), ' ', '-');
+    std::string text =
+        fmt::format("Pf\n{} {}\n-1.0\n", width, height); // little-endian, rows from the bottom up
+    for (int y = height - 1; y >= 0; --y)
+        text.append(reinterpret_cast<const char*>(&map[std::size_t(y) * std::size_t(width)]),
+                    std::size_t(width) * sizeof(float));
+    write_text_file(folder / name, text);
+    return name;
+}
+
+fs::path write_report(const fs::path& folder, const AccuracyReport& report) {
+    write_text_file(folder / "accuracy.csv", accuracy_csv(report));
+    const fs::path file = folder / "accuracy.json";
+    write_text_file(file, accuracy_json(report));
+    return file;
+}
+
+} // namespace rayscope::cli
