@@ -24,6 +24,10 @@ ReferenceSample sample_of(const std::array<double, 10>& n) {
     return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {Id(n[6]), n[7], n[8], n[9]}};
 }
 
+std::uint64_t hash_of(const std::vector<std::uint8_t>& bytes) {
+    return Fnv1a().add(bytes.data(), bytes.size()).value();
+}
+
 } // namespace
 
 ReferenceCache::ReferenceCache(const ReferenceOptions& options)
@@ -43,6 +47,7 @@ std::vector<ReferenceSample> ReferenceCache::load() const {
     const auto member = json.is_object() ? json.find("samples") : json.end();
     if (!json.is_object() || member == json.end() || !member->is_binary()) return {};
     const auto& bytes = member->get_binary();
+    if (json.value("hash", nlohmann::json()) != hash_of(bytes)) return {};
     constexpr std::size_t size = sizeof(std::array<double, 10>);
     const std::size_t row = size * std::size_t(width_);
     if (bytes.size() % row != 0 || bytes.size() / row > std::size_t(height_)) return {};
@@ -64,6 +69,7 @@ void ReferenceCache::save(const std::vector<ReferenceSample>& samples) const {
         std::memcpy(bytes.data() + i * sizeof numbers, numbers.data(), sizeof numbers);
     }
     const nlohmann::json json = {{"format", "rayscope-reference"},
+                                 {"hash", hash_of(bytes)},
                                  {"samples", nlohmann::json::binary(std::move(bytes))}};
     const auto text = nlohmann::json::to_cbor(json);
     write_text_file(path_, {reinterpret_cast<const char*>(text.data()), text.size()});
