@@ -66,11 +66,11 @@ Measured made(Configuration configuration, double seconds, double error) {
 }
 
 TEST(Verdict, says_what_the_stable_formulas_and_depth_cost) {
-    const Configuration base{{}, 8, 0.01};
-    Configuration school = base, shallow = base;
+    const Configuration own{{}, 8, 0.01};
+    Configuration school = own, shallow = own;
     school.numbers = {ScalarType::float32, Method::textbook};
     shallow.max_depth = 5;
-    std::vector<Measured> list{made(base, 1.3, 0.001), made(school, 1, 0.2), made(shallow, 1.04, 0.01)};
+    std::vector<Measured> list{made(own, 1.3, 0.001), made(school, 1, 0.2), made(shallow, 1.04, 0.01)};
     list[1].error.wrong_pixels = 1214;
     list[0].error.psnr = 40.4;
     list[2].error.psnr = 40;
@@ -83,10 +83,10 @@ TEST(Verdict, says_what_the_stable_formulas_and_depth_cost) {
 }
 
 TEST(Verdict, the_cheapest_within_a_target_is_found) {
-    const Configuration base{{}, 8, 0.01};
-    Configuration other = base;
+    const Configuration own{{}, 8, 0.01};
+    Configuration other = own;
     other.max_depth = 3;
-    const std::vector<Measured> list{made(base, 2, 0.001), made(other, 1, 0.01)};
+    const std::vector<Measured> list{made(own, 2, 0.001), made(other, 1, 0.01)};
     Reference reference = two_pixels();
     EXPECT_EQ(cheapest_within(list, reference, 0.1), &list[1]);
     EXPECT_EQ(cheapest_within(list, reference, 0.01), &list[1]);

@@ -1,5 +1,6 @@
 // rayscope-view: the part of rayscope that needs VTK. `rayscope` runs it for pictures and ParaView files.
 
+#include "visualizer/drawing/accuracy_chart.hpp"
 #include "visualizer/drawing/picture.hpp"
 #include "visualizer/drawing/vtm.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 using namespace rayscope;
 
 struct Arguments {
-    std::string scene, trace, output, size;
+    std::string scene, trace, output, size, measurement;
     int ray = none;
 };
 
@@ -75,6 +76,11 @@ int main(int argc, char** argv) {
     CLI::App* vtm = app.add_subcommand("vtm", "Writes the trace and the surfaces for ParaView");
     add_files(*vtm, arguments);
     vtm->footer("Example: rayscope-view vtm --scene bowl.toml --trace bowl.json -o bowl.vtm");
+    CLI::App* accuracy = app.add_subcommand("accuracy", "Draws what `rayscope accuracy -o FOLDER` measured");
+    accuracy->add_option("FILE", arguments.measurement, "accuracy.json; the pictures appear beside it")
+        ->required();
+    accuracy->add_option("--size", arguments.size, "WIDTHxHEIGHT of the chart in pixels (1280x720)");
+    accuracy->footer("Example: rayscope-view accuracy cost/accuracy.json");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -82,6 +88,7 @@ int main(int argc, char** argv) {
     }
     try {
         if (*png) draw(arguments);
+        if (*accuracy) drawing::write_accuracy_pictures(arguments.measurement, parse_size(arguments.size));
         if (*vtm) drawing::write_vtm(open(arguments.scene), read_trace(arguments.trace), arguments.output);
     } catch (const InputError& error) {
         std::cerr << error.what() << '\n';

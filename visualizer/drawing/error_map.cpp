@@ -1,0 +1,96 @@
+#include "visualizer/drawing/accuracy_chart.hpp"
+#include "visualizer/drawing/flat_picture.hpp"
+#include "visualizer/drawing/text.hpp"
+#include "visualizer/drawing/write_png.hpp"
+
+#include "core/rayscope.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rayscope::drawing {
+namespace {
+
+// Nine steps of the viridis map (Smith and van der Walt 2015, public domain): as light as the value is large.
+constexpr std::array<Rgb, 9> viridis{Rgb{0x44, 0x01, 0x54}, Rgb{0x47, 0x2D, 0x7B}, Rgb{0x3B, 0x52, 0x8B},
+                                     Rgb{0x2C, 0x72, 0x8E}, Rgb{0x21, 0x91, 0x8C}, Rgb{0x28, 0xAE, 0x80},
+                                     Rgb{0x5E, 0xC9, 0x62}, Rgb{0xAD, 0xDC, 0x30}, Rgb{0xFD, 0xE7, 0x25}};
+constexpr double font = 14;
+constexpr int margin = 16, head = 44, bar_width = 20, bar_room = 96;
+
+Rgb colour_at(double share) {
+    const double place = std::clamp(share, 0.0, 1.0) * (viridis.size() - 1);
+    const auto below = std::min(std::size_t(place), viridis.size() - 2);
+    return mixed(viridis.at(below), viridis.at(below + 1), place - double(below));
+}
+
+// Between 512 and 1024 pixels on the longer side, each value a square.
+int enlargement(const ErrorMap& map) { return std::max(1, 1024 / std::max({map.width, map.height, 1})); }
+
+void draw_bar(Canvas& canvas, const Area& area, double most) {
+    constexpr int steps = 64;
+    for (int i = 0; i < steps; ++i) {
+        const double bottom = area.bottom() - area.height * i / steps;
+        canvas.add(
+            FilledArea{{area.x, bottom - area.height / steps - 0.5, area.width, area.height / steps + 0.5},
+                       colour_at((i + 0.5) / steps)});
+    }
+    for (int i = 0; i <= 4; ++i)
+        canvas.add(Text{
+            {area.right() + 6, area.bottom() - area.height * i / 4}, number(most * i / 4, 3), font, ink});
+}
+
+void copy_map(Raster& raster, const ErrorMap& map, int size, double most) {
+    for (int y = 0; y < map.height * size; ++y)
+        for (int x = 0; x < map.width * size; ++x) {
+            const float value =
+                map.values[std::size_t(y / size) * std::size_t(map.width) + std::size_t(x / size)];
+            const Rgb colour = colour_at(std::isfinite(value) ? double(value) / most : 1);
+            std::uint8_t* pixel = &raster.bytes[3 * (std::size_t(head + y) * std::size_t(raster.width) +
+                                                     std::size_t(margin + x))];
+            pixel[0] = colour.red;
+            pixel[1] = colour.green;
+            pixel[2] = colour.blue;
+        }
+}
+
+} // namespace
+
+Raster draw_error_map(const ErrorMap& map, const std::string& title, double most) {
+    const int size = enlargement(map), width = map.width * size, height = map.height * size;
+    const PictureSize whole{std::max(420, width + 2 * margin + bar_room),
+                            std::max(160, height + head + margin)};
+    FlatPicture picture(whole);
+    Canvas canvas;
+    canvas.add(Text{{double(margin), head / 2.0},
+                    elided(title + ": ΔE2000 against the reference (1 is just visible)", Font::bold, font,
+                           whole.width - 2.0 * margin),
+                    font,
+                    ink,
+                    Font::bold});
+    draw_bar(canvas, {double(margin + width + 12), head + font, bar_width, std::max(40.0, height - 2 * font)},
+             most);
+    Raster raster = picture.finish(std::move(canvas));
+    copy_map(raster, map, size, most);
+    return raster;
+}
+
+void write_accuracy_pictures(const std::filesystem::path& path, const PictureSize& size) {
+    const AccuracyFile file = read_accuracy(path);
+    const std::filesystem::path folder = path.parent_path();
+    // One scale for all, so that they can be compared: it ends where a difference is plain, or at the largest.
+    double most = 0;
+    for (const MeasuredPoint& p : file.points)
+        if (!p.map.empty())
+            for (const float value : read_error_map(folder / p.map).values)
+                if (std::isfinite(value)) most = std::max(most, double(value));
+    constexpr double plain = 10;
+    most = most > 0 ? std::min(most, plain) : 1;
+    write_png(draw_accuracy_chart(file, size), folder / "chart.png");
+    for (const MeasuredPoint& p : file.points)
+        if (!p.map.empty())
+            write_png(draw_error_map(read_error_map(folder / p.map), p.name, most),
+                      (folder / p.map).replace_extension(".png"));
+}
+
+} // namespace rayscope::drawing

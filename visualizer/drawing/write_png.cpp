@@ -1,0 +1,28 @@
+#include "visualizer/drawing/write_png.hpp"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+
+#include <algorithm>
+
+namespace rayscope::drawing {
+
+void write_png(const Raster& raster, const std::filesystem::path& path) {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(raster.width, raster.height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    const std::size_t row = std::size_t(raster.width) * 3;
+    for (int y = 0; y < raster.height; ++y) // VTK's images start at the lower left
+        std::copy_n(raster.bytes.data() + std::size_t(raster.height - 1 - y) * row, row,
+                    static_cast<std::uint8_t*>(image->GetScalarPointer(0, y, 0)));
+    AtomicFile file(path);
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputData(image);
+    writer->SetFileName(file.temporary().c_str());
+    writer->Write();
+    if (writer->GetErrorCode() != 0) throw std::runtime_error(path.string() + ": can't be written");
+    file.commit();
+}
+
+} // namespace rayscope::drawing
