@@ -43,6 +43,19 @@ std::string short_name(const MeasuredPoint& point, const MeasuredPoint& own) {
     return name.empty() ? point.name : name;
 }
 
+// The properties that text_property gives are those of a text that stands at its lower left corner.
+void place_texts(vtkAxis* axis, bool upright) {
+    for (vtkTextProperty* text : {axis->GetLabelProperties(), axis->GetTitleProperties()}) {
+        text->SetJustificationToCentered();
+        text->SetVerticalJustificationToTop();
+    }
+    if (!upright) return;
+    axis->GetLabelProperties()->SetJustificationToRight();
+    axis->GetLabelProperties()->SetVerticalJustificationToCentered();
+    axis->GetTitleProperties()->SetVerticalJustificationToBottom();
+    axis->GetTitleProperties()->SetOrientation(90);
+}
+
 class AccuracyChart {
 public:
     AccuracyChart(const AccuracyFile& file, const PictureSize& size)
@@ -81,6 +94,7 @@ private:
             const auto text = text_property(Font::sans, font_ * FlatPicture::scale, ink);
             axis->GetLabelProperties()->ShallowCopy(text);
             axis->GetTitleProperties()->ShallowCopy(text);
+            place_texts(axis, position == vtkAxis::LEFT);
             axis->GetGridPen()->SetColor(hair.red, hair.green, hair.blue);
         }
         chart_->GetAxis(vtkAxis::BOTTOM)->SetTitle("time to trace the image: processor milliseconds");
@@ -129,7 +143,7 @@ private:
             const Rgb colour = colour_of(kind.first);
             plot->SetInputData(table_of(points), 0, 1);
             plot->SetColor(colour.red, colour.green, colour.blue, 255);
-            plot->SetMarkerStyle(kind.second == "stable" ? vtkPlotPoints::CIRCLE : vtkPlotPoints::CROSS);
+            plot->SetMarkerStyle(kind.second == "stable" ? vtkPlotPoints::CIRCLE : vtkPlotPoints::DIAMOND);
             plot->SetMarkerSize(float(0.8 * font_ * FlatPicture::scale));
             plot->SetWidth(float(1.5 * FlatPicture::scale));
             chart_->AddPlot(plot);
@@ -213,7 +227,7 @@ private:
             canvas_.add(Text{{x + 1.2 * font_, y}, scalar, font_, ink});
             x += text_width(scalar, Font::sans, font_) + 2.6 * font_;
         }
-        canvas_.add(Text{{x, y}, "●  stable     ×  textbook", font_, ink});
+        canvas_.add(Text{{x, y}, "●  stable     ◆  textbook", font_, ink});
     }
 
     const AccuracyFile& file_;
