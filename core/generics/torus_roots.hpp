@@ -1,0 +1,47 @@
+#pragma once
+// Where a ray crosses the torus with major radius 1 around the z axis.
+
+#include "core/generics/torus_factors.hpp"
+#include "core/generics/torus_isolation.hpp"
+#include "core/math/ray.hpp"
+
+namespace rayscope {
+
+/// True if the part, which holds all crossings, lies within the hole: ρ² is convex along it.
+template <Scalar T> [[nodiscard]] bool in_hole(const TorusLine<T>& line, const Interval<T>& part) {
+    const auto radius_squared = [&](T s) {
+        const T x = fma(s, line.e.x, line.q.x), y = fma(s, line.e.y, line.q.y);
+        return fma(x, x, y * y);
+    };
+    const T hole = (T(1) - line.minor) * (T(1) - T(8) * epsilon<T>);
+    return maximum(radius_squared(part.enter), radius_squared(part.exit)) < hole * hole;
+}
+
+/// Up to four crossings, ascending in t.
+///
+/// Measured in s, a length, from the point q of the line closest to the centre, and cut by the sphere and the slab
+/// around the torus, all has the size of the torus, wherever the ray comes from. There the factors mostly do; where
+/// rounding leaves their count in doubt, a graze within about ε, the crossings are isolated.
+template <Scalar T> [[nodiscard]] TorusRoots<T> torus_roots(T minor, const Ray<T>& ray) {
+    const Vec3<T>& d = ray.direction;
+    const T dd = dot(d, d);
+    const T middle = -dot(ray.origin, d) / dd;
+    const Vec3<T> q = ray.at(middle);
+    const T outer = T(1) + minor;
+    const T beside = dot(q, d) / dd; // rounding leaves q so far beside the closest point, in t
+    const T reach_squared = fma(beside * beside, dd, outer * outer - dot(q, q));
+    if (!(reach_squared > T(-8) * epsilon<T>)) return {};
+    const T speed = sqrt(dd);
+    const TorusLine<T> line{q, d / speed, -beside * speed, minor};
+    const Interval<T> part = line.around(sqrt(maximum(reach_squared, T(0))));
+    if (part.empty() || in_hole(line, part)) return {};
+    TorusRoots<T> roots;
+    if (!factored_roots(line, roots)) roots = isolated_roots(line, part);
+    for (int i = 0; i < roots.count; ++i) {
+        T& root = roots.items[std::size_t(i)];
+        root = root / speed + middle;
+    }
+    return roots;
+}
+
+} // namespace rayscope
