@@ -19,34 +19,40 @@ template <Scalar T> struct QuarticFactors {
     T error;        ///< of the product as the quartic, at most
 };
 
+/// The largest root of y³ + a y² + b y + c to some two digits, where Newton's kind of step can begin.
+template <Scalar T> [[nodiscard]] float rough_largest_root(T a, T b, T c) {
+    const T third = a / T(3); // y = x − a/3 makes it x³ + 3 p x + 2 h
+    const float p = float(fma(-third, third, b / T(3)));
+    const float h = float(fma(third, fma(third, third, b / T(-2)), c / T(2)));
+    const float discriminant = h * h + p * p * p;
+    // One root: Cardano's.
+    const float cube_root = rough_cbrt(magnitude(h) + std::sqrt(maximum(discriminant, 0.0F)));
+    const float x = cube_root - p / cube_root;
+    // Three: Viète's. cos(acos(t)/3) is ½ + √((1+t)/6) near t = −1, and with one more term nowhere 0.004 off.
+    const float m = std::sqrt(maximum(-p, 0.0F));
+    const float root = std::sqrt(maximum(1 + h / (p * m), 0.0F));
+    const float largest = 2 * m * (0.5F + root * (0.408248F - 0.0387F * root));
+    return select(discriminant < 0, largest, select(h < 0, x, -x)) - float(third);
+}
+
 /// The largest root y of Ferrari's resolvent y³ + 2p y² + (p² − 4c) y − r², which is u². Only the work is at stake in
 /// it, not the result: what it lacks stands in QuarticFactors::error.
 template <Scalar T> [[nodiscard]] T squared_sum_of_lower_roots(const DepressedQuartic<T>& f) {
     const T a = T(2) * f.p, b = fma(f.p, f.p, T(-4) * f.c), c = -f.r * f.r;
-    // With y = x − a/3 and x = 2 m z it is 4 z³ ∓ 3 z = t.
-    const T third = a / T(3);
-    const T P = fma(-third, a, b);
-    const T half_Q = fma(third, fma(third, third, -b / T(2)), c / T(2));
-    const T m2 = magnitude(P) / T(3), m = sqrt(m2);
-    T x;
-    if (P < T(0) && magnitude(half_Q) < m2 * m) {
-        // Three roots; the largest z = cos(acos(t)/3) is ½ + 0.408 √(1+t) near t = −1, and with one more term 0.004 off.
-        const T root = sqrt(maximum(T(0), T(1) - half_Q / (m2 * m)));
-        x = T(2) * m * fma(root, fma(root, T(-0.0387), T(0.408248)), T(0.5));
-    } else {
-        const T k = cbrt(magnitude(T(2) * half_Q));
-        const T size = T(1.324718) * maximum(k, m * T(1.7320508));
-        x = half_Q < T(0) ? size : -size;
-    }
-    T y = maximum(T(0), x - third);
-    constexpr int enough = 8;
-    for (int i = 0; i < enough; ++i) {
+    T y = maximum(T(0), T(rough_largest_root(a, b, c)));
+    // Halley's step: its error is cubed. That y is right to ε is enough, however small it is: see factors_of.
+    const auto step = [&] {
         const T v2 = y + a, v1 = fma(v2, y, b);
         const T value = fma(v1, y, c), slope = fma(y + v2, y, v1), bend = fma(T(2), y, v2);
-        // Halley's step: its error is cubed.
-        const T step = value * slope / fma(slope, slope, -value * bend);
-        y = maximum(T(0), y - step);
-        if (!(step * step * magnitude(step) > epsilon<T> * y * y * y)) break;
+        const T down = value * slope / fma(slope, slope, -value * bend);
+        y = maximum(T(0), y - down);
+        return magnitude(down);
+    };
+    step();
+    constexpr int enough = 8; // of them; nearly always two
+    for (int i = 1; i < enough; ++i) {
+        const T last = step();
+        if (!(last * last * last > epsilon<T>)) break;
     }
     return y;
 }
@@ -56,15 +62,11 @@ template <Scalar T> [[nodiscard]] QuarticFactors<T> factors_of(const DepressedQu
     // (w − v)² = (v + w)² − 4vw and u (w − v) = r: the larger of u and w − v is a root, the other one a quotient.
     const T rough_sum = f.p + y;
     const T difference_squared = fma(rough_sum, rough_sum, T(-4) * f.c);
-    T u, difference;
-    if (y > difference_squared) {
-        u = sqrt(y);
-        difference = f.r / u;
-    } else {
-        const T size = sqrt(difference_squared);
-        difference = f.r < T(0) ? -size : size;
-        u = magnitude(f.r) / size;
-    }
+    const T larger = sqrt(maximum(y, difference_squared));
+    const T smaller = magnitude(f.r) / larger;
+    const bool sum_is_larger = y > difference_squared;
+    const T u = select(sum_is_larger, larger, smaller), size = select(sum_is_larger, smaller, larger);
+    const T difference = select(f.r < T(0), -size, size);
     const T sum = fma(u, u, f.p);
     const T v = (sum - difference) / T(2), w = (sum + difference) / T(2);
     const T quarter = u * u / T(4);
@@ -73,43 +75,47 @@ template <Scalar T> [[nodiscard]] QuarticFactors<T> factors_of(const DepressedQu
 
 /// Whether the quartic, up to the error of its factors, has two crossings for each factor with a positive square and
 /// no others. Where |product| > error the sign of the quartic is that of the product.
-template <Scalar T> [[nodiscard]] bool count_is_proven(const QuarticFactors<T>& factors) {
-    const T error = factors.error;
+/// @param low, high the half chords, 0 for a factor without roots
+template <Scalar T> [[nodiscard]] bool count_is_proven(const QuarticFactors<T>& factors, T low, T high) {
     const T product = magnitude(factors.below * factors.above);
-    if (!(product > T(2) * error)) return false;
-    if (factors.below < T(0) && factors.above < T(0)) return true;
-    if (factors.below > T(0) && factors.above > T(0)) {
-        const T low = sqrt(factors.below), high = sqrt(factors.above);
-        const T gap = factors.half_u - (low + high) / T(2);
-        return gap > T(0) && gap * gap * (gap + T(2) * low) * (gap + T(2) * high) > error;
-    }
-    // One factor q > 0 everywhere. A third crossing beside one of the other factor's would be a turn of the quartic
-    // there; its slope does not vanish, as q^(3/2) √other > error.
-    const T rootless = magnitude(minimum(factors.below, factors.above));
-    return product * rootless * rootless > T(18) * error * error;
+    // Four crossings: the quartic is positive in the middle of the gap between the pairs.
+    const T gap = factors.half_u - (low + high) / T(2);
+    const T between = gap * magnitude(gap) * (gap + T(2) * low) * (gap + T(2) * high);
+    // Two: one factor q is positive everywhere. A third crossing beside one of the other factor's would be a turn of
+    // the quartic there; its slope does not vanish, as q^(3/2) √other > 3 √2 error.
+    const T rootless = minimum(factors.below, factors.above);
+    const T slope_squared = product * rootless * rootless;
+    const bool four = rootless > T(0);
+    const T enough = select(four, factors.error, T(18) * factors.error * factors.error);
+    return product > T(2) * factors.error &&
+           (low + high == T(0) || select(four, between, slope_squared) > enough);
 }
 
-/// Newton on the distance, for all roots at once: each step needs a root and a quotient, which then overlap.
+/// Newton on the distance, for all roots at once: each step waits for a root and a quotient, and they wait together.
 /// False unless the last steps were so small that the next ones would be below rounding.
-template <int count, Scalar T>
-[[nodiscard]] bool polish(const TorusLine<T>& line, std::array<T, 4>& s, const std::array<T, 4>& gaps) {
+/// @param gaps to the nearest other root, of which a step's error is the square over the gap
+template <Scalar T>
+[[nodiscard]] bool polish(const TorusLine<T>& line, TorusRoots<T>& roots, const std::array<T, 4>& gaps) {
     const Vec3<T>&q = line.q, &e = line.e;
-    const T minor = line.minor;
+    const T minor = line.minor, allowed = epsilon<T> / T(8) * (T(1) - minor);
+    // Two roots stand there twice: to a vector unit four are as many as two.
+    const std::size_t lanes = has_fma<T> ? 4 : std::size_t(roots.count);
     constexpr int enough = 4;
     for (int pass = 0; pass < enough; ++pass) {
-        bool done = true;
-        for (std::size_t i = 0; i < std::size_t(count); ++i) {
-            const T x = fma(s[i], e.x, q.x), y = fma(s[i], e.y, q.y), z = fma(s[i], e.z, q.z);
+        T excess = T(0);
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const T s = roots.items[i];
+            const T x = fma(s, e.x, q.x), y = fma(s, e.y, q.y), z = fma(s, e.z, q.z);
             const T rho = sqrt(fma(x, x, y * y)), beyond = fma(x, x, fma(y, y, T(-1)));
             // value / slope of TorusLine::distance, times ρ (ρ + 1)² above and below.
             const T sum = rho + T(1);
             const T value = fma(beyond, beyond, difference_of_products(z, z, minor, minor) * sum * sum);
             const T slope = fma(beyond, fma(x, e.x, y * e.y), z * e.z * rho * sum) * sum * T(2);
             const T step = value * rho / slope;
-            s[i] -= step;
-            done &= step * step <= epsilon<T> / T(8) * gaps[i] * (T(1) - minor);
+            roots.items[i] = s - step;
+            excess += maximum(step * step - allowed * gaps[i], T(0));
         }
-        if (done) return true;
+        if (excess == T(0)) return true;
     }
     return false;
 }
@@ -124,31 +130,20 @@ template <Scalar T> [[nodiscard]] bool factored_roots(const TorusLine<T>& line, 
     const T rounding = T(8) * epsilon<T> * (k + T(1)) * (k + T(1));
     const QuarticFactors<T> factors =
         factors_of(DepressedQuartic<T>{T(2) * k - T(4) * A, T(-8) * B, fma(k, k, T(-4) * C), rounding});
-    if (!count_is_proven(factors)) return false;
-    std::array<T, 4> s{}, gaps{};
-    std::size_t count = 0;
-    if (factors.below > T(0)) {
-        const T half = sqrt(factors.below), middle = closest - factors.half_u;
-        s = {middle - half, middle + half};
-        gaps = {half, half};
-        count = 2;
-    }
-    if (factors.above > T(0)) {
-        const T half = sqrt(factors.above), middle = closest + factors.half_u;
-        s[count] = middle - half;
-        s[count + 1] = middle + half;
-        gaps[count] = gaps[count + 1] = half;
-        count += 2;
-    }
-    if (count == 2 && !(polish<2>(line, s, gaps) && s[0] < s[1])) return false;
-    if (count == 4) {
-        gaps[1] = minimum(gaps[1], s[2] - s[1]);
-        gaps[2] = minimum(gaps[2], s[2] - s[1]);
-        if (!(polish<4>(line, s, gaps) && s[0] < s[1] && s[1] < s[2] && s[2] < s[3])) return false;
-    }
-    roots.items = s;
-    roots.count = int(count);
-    return true;
+    const T low = sqrt(maximum(factors.below, T(0))), high = sqrt(maximum(factors.above, T(0)));
+    if (!count_is_proven(factors, low, high)) return false;
+    if (low + high == T(0)) return true;
+    const bool first = low > T(0), last = high > T(0);
+    const T left = closest - factors.half_u, right = closest + factors.half_u;
+    const T lower = select(first, left, right), upper = select(last, right, left);
+    const T lower_half = select(first, low, high), upper_half = select(last, high, low);
+    roots.items = {lower - lower_half, lower + lower_half, upper - upper_half, upper + upper_half};
+    roots.count = first && last ? 4 : 2;
+    const T gap = select(first && last, roots.items[2] - roots.items[1], infinity<T>);
+    if (!polish(line, roots, {lower_half, minimum(lower_half, gap), minimum(upper_half, gap), upper_half}))
+        return false;
+    const auto& s = roots.items;
+    return s[0] < s[1] && s[2] < s[3] && (roots.count == 2 || s[1] < s[2]);
 }
 
 } // namespace rayscope

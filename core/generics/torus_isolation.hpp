@@ -24,7 +24,9 @@ template <Scalar T>
 /// Between two turns lies at most one crossing, and whether it does is asked of the distance, which does not cancel.
 /// No formula for quartic roots: Ferrari's loses double ones.
 template <Scalar T>
-[[nodiscard]] TorusRoots<T> isolated_roots(const TorusLine<T>& line, const Interval<T>& part) {
+[[nodiscard, gnu::noinline, gnu::cold]] TorusRoots<T> isolated_roots(const TorusLine<T>& line,
+                                                                     const Interval<T>& part) {
+    if (part.empty()) return {};
     std::array<T, 5> ends{};
     const int pieces = monotone_pieces(line, part, ends);
     TorusRoots<T> roots;

@@ -14,7 +14,7 @@ template <Scalar T> [[nodiscard]] T beyond_core_circle(T x, T y, T rho) {
 
 /// Crossings with a torus, ascending, as lengths along its line.
 template <Scalar T> struct TorusRoots {
-    std::array<T, 4> items;
+    std::array<T, 4> items{};
     int count = 0;
 
     void add(T root) { items[std::size_t(count++)] = root; }
@@ -37,12 +37,30 @@ template <Scalar T> struct TorusLine {
 
     /// The part in the sphere and in the slab |z| ≤ minor, each a little larger than the torus.
     [[nodiscard]] Interval<T> around(T half_chord) const {
-        const T margin = minor / T(64);
-        const T half = half_chord + margin;
-        const T thickness = minor + margin;
+        const T half = half_chord + margin();
+        const T thickness = minor + margin();
         return intersection(Interval<T>{closest - half, closest + half, 0, 0},
                             slab(q.z / thickness, e.z / thickness, 0, 0, no_face));
     }
+
+    /// True if `around` is empty, most often, or lies within the hole: ρ² is convex along it.
+    [[nodiscard]] bool surely_misses(T half_chord) const {
+        const T z = fma(closest, e.z, q.z), thickness = minor + margin();
+        if (magnitude(z) - (half_chord + margin()) * magnitude(e.z) > thickness) return true;
+        const T inverse =
+            T(1) / e.z; // infinite where the line keeps its height, which then is not in the hole
+        const auto radius_squared = [&](T height) {
+            const T s = (height - q.z) * inverse;
+            const T x = fma(s, e.x, q.x), y = fma(s, e.y, q.y);
+            return fma(x, x, y * y);
+        };
+        const T low = radius_squared(-thickness), high = radius_squared(thickness);
+        const T hole = (T(1) - minor) * (T(1) - T(8) * epsilon<T>);
+        return low < hole * hole && high < hole * hole;
+    }
+
+private:
+    [[nodiscard]] T margin() const { return minor / T(64); }
 };
 
 } // namespace rayscope

@@ -7,16 +7,6 @@
 
 namespace rayscope {
 
-/// True if the part, which holds all crossings, lies within the hole: ρ² is convex along it.
-template <Scalar T> [[nodiscard]] bool in_hole(const TorusLine<T>& line, const Interval<T>& part) {
-    const auto radius_squared = [&](T s) {
-        const T x = fma(s, line.e.x, line.q.x), y = fma(s, line.e.y, line.q.y);
-        return fma(x, x, y * y);
-    };
-    const T hole = (T(1) - line.minor) * (T(1) - T(8) * epsilon<T>);
-    return maximum(radius_squared(part.enter), radius_squared(part.exit)) < hole * hole;
-}
-
 /// Up to four crossings, ascending in t.
 ///
 /// Measured in s, a length, from the point q of the line closest to the centre, and cut by the sphere and the slab
@@ -33,14 +23,11 @@ template <Scalar T> [[nodiscard]] TorusRoots<T> torus_roots(T minor, const Ray<T
     if (!(reach_squared > T(-8) * epsilon<T>)) return {};
     const T speed = sqrt(dd);
     const TorusLine<T> line{q, d / speed, -beside * speed, minor};
-    const Interval<T> part = line.around(sqrt(maximum(reach_squared, T(0))));
-    if (part.empty() || in_hole(line, part)) return {};
+    const T half_chord = sqrt(maximum(reach_squared, T(0)));
+    if (line.surely_misses(half_chord)) return {};
     TorusRoots<T> roots;
-    if (!factored_roots(line, roots)) roots = isolated_roots(line, part);
-    for (int i = 0; i < roots.count; ++i) {
-        T& root = roots.items[std::size_t(i)];
-        root = root / speed + middle;
-    }
+    if (!factored_roots(line, roots)) roots = isolated_roots(line, line.around(half_chord));
+    for (T& root : roots.items) root = root / speed + middle;
     return roots;
 }
 
