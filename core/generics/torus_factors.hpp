@@ -77,34 +77,40 @@ template <Scalar T> [[nodiscard]] QuarticFactors<T> factors_of(const DepressedQu
 /// no others. Where |product| > error the sign of the quartic is that of the product.
 /// @param low, high the half chords, 0 for a factor without roots
 template <Scalar T> [[nodiscard]] bool count_is_proven(const QuarticFactors<T>& factors, T low, T high) {
-    const T product = magnitude(factors.below * factors.above);
-    // Four crossings: the quartic is positive in the middle of the gap between the pairs.
-    const T gap = factors.half_u - (low + high) / T(2);
-    const T between = gap * magnitude(gap) * (gap + T(2) * low) * (gap + T(2) * high);
+    const auto& [half_u, below, above, error] = factors;
+    const T product = magnitude(below * above);
+    // Four crossings: negative at both vertices, positive in the middle of the gap between the pairs.
+    const T uu = T(4) * half_u * half_u;
+    const T inside = minimum(below * (uu - above), above * (uu - below));
+    const T half_gap = half_u - (low + high) / T(2);
+    const T between = half_gap * magnitude(half_gap) * (half_gap + T(2) * low) * (half_gap + T(2) * high);
     // Two: one factor q is positive everywhere. A third crossing beside one of the other factor's would be a turn of
     // the quartic there; its slope does not vanish, as q^(3/2) √other > 3 √2 error.
-    const T rootless = minimum(factors.below, factors.above);
+    const T rootless = minimum(below, above);
     const T slope_squared = product * rootless * rootless;
     const bool four = rootless > T(0);
-    const T enough = select(four, factors.error, T(18) * factors.error * factors.error);
-    return product > T(2) * factors.error &&
-           (low + high == T(0) || select(four, between, slope_squared) > enough);
+    const T least = select(four, minimum(inside, between), slope_squared);
+    const T enough = select(four, error, T(18) * error * error);
+    return product > T(2) * error && (low + high == T(0) || least > enough);
 }
 
 /// Newton on the distance, for all roots at once: each step waits for a root and a quotient, and they wait together.
-/// False unless the last steps were so small that the next ones would be below rounding.
-/// @param gaps to the nearest other root, of which a step's error is the square over the gap
-template <Scalar T>
-[[nodiscard]] bool polish(const TorusLine<T>& line, TorusRoots<T>& roots, const std::array<T, 4>& gaps) {
+/// False unless the last steps were so small that the next ones would be below rounding, and the roots ascend: a step's
+/// error is its square over the gap to the nearest other root, and rounding moves a root by ε minor / slope.
+/// Two roots are to stand there twice: to a vector unit four are as many as two.
+template <Scalar T> [[nodiscard]] bool polish(const TorusLine<T>& line, TorusRoots<T>& roots) {
     const Vec3<T>&q = line.q, &e = line.e;
-    const T minor = line.minor, allowed = epsilon<T> / T(8) * (T(1) - minor);
-    // Two roots stand there twice: to a vector unit four are as many as two.
+    auto& items = roots.items;
+    const T minor = line.minor;
+    const T first = items[1] - items[0], last = items[3] - items[2];
+    const T middle = select(roots.count == 4, items[2] - items[1], infinity<T>);
+    const std::array<T, 4> gaps{first, minimum(first, middle), minimum(last, middle), last};
     const std::size_t lanes = has_fma<T> ? 4 : std::size_t(roots.count);
     constexpr int enough = 4;
     for (int pass = 0; pass < enough; ++pass) {
         T excess = T(0);
         for (std::size_t i = 0; i < lanes; ++i) {
-            const T s = roots.items[i];
+            const T s = items[i];
             const T x = fma(s, e.x, q.x), y = fma(s, e.y, q.y), z = fma(s, e.z, q.z);
             const T rho = sqrt(fma(x, x, y * y)), beyond = fma(x, x, fma(y, y, T(-1)));
             // value / slope of TorusLine::distance, times ρ (ρ + 1)² above and below.
@@ -112,38 +118,44 @@ template <Scalar T>
             const T value = fma(beyond, beyond, difference_of_products(z, z, minor, minor) * sum * sum);
             const T slope = fma(beyond, fma(x, e.x, y * e.y), z * e.z * rho * sum) * sum * T(2);
             const T step = value * rho / slope;
-            roots.items[i] = s - step;
-            excess += maximum(step * step - allowed * gaps[i], T(0));
+            items[i] = s - step;
+            const T rounding = epsilon<T> / T(8) * minor * rho * sum * sum * gaps[i];
+            excess += maximum(step * step * magnitude(slope) - rounding, T(0)) +
+                      maximum(magnitude(step) - gaps[i] / T(4), T(0));
         }
-        if (excess == T(0)) return true;
+        if (excess == T(0))
+            return items[0] < items[1] && items[2] < items[3] && (roots.count == 2 || items[1] < items[2]);
     }
     return false;
 }
 
-/// All crossings of the line, or false: then nothing is known.
-template <Scalar T> [[nodiscard]] bool factored_roots(const TorusLine<T>& line, TorusRoots<T>& roots) {
+/// The factors of the quartic, in lengths from line.closest.
+template <Scalar T> [[nodiscard]] QuarticFactors<T> factors_of(const TorusLine<T>& line) {
     const auto& [q, e, closest, minor] = line;
     const Vec3<T> m{fma(closest, e.x, q.x), fma(closest, e.y, q.y), fma(closest, e.z, q.z)};
     const T k = fma(T(1) - minor, T(1) + minor, dot(m, m));
     const T A = fma(e.x, e.x, e.y * e.y), B = fma(m.x, e.x, m.y * e.y), C = fma(m.x, m.x, m.y * m.y);
     // Each of some ten roundings is of at most (k + 1)², as |s|² ≤ k + 1 on the torus.
     const T rounding = T(8) * epsilon<T> * (k + T(1)) * (k + T(1));
-    const QuarticFactors<T> factors =
-        factors_of(DepressedQuartic<T>{T(2) * k - T(4) * A, T(-8) * B, fma(k, k, T(-4) * C), rounding});
+    return factors_of(DepressedQuartic<T>{T(2) * k - T(4) * A, T(-8) * B, fma(k, k, T(-4) * C), rounding});
+}
+
+/// All crossings of the line, or false: then nothing is known.
+template <Scalar T>
+[[nodiscard]] bool factored_roots(const TorusLine<T>& line, const QuarticFactors<T>& factors,
+                                  TorusRoots<T>& roots) {
     const T low = sqrt(maximum(factors.below, T(0))), high = sqrt(maximum(factors.above, T(0)));
     if (!count_is_proven(factors, low, high)) return false;
     if (low + high == T(0)) return true;
     const bool first = low > T(0), last = high > T(0);
-    const T left = closest - factors.half_u, right = closest + factors.half_u;
+    const T left = line.closest - factors.half_u, right = line.closest + factors.half_u;
     const T lower = select(first, left, right), upper = select(last, right, left);
     const T lower_half = select(first, low, high), upper_half = select(last, high, low);
     roots.items = {lower - lower_half, lower + lower_half, upper - upper_half, upper + upper_half};
     roots.count = first && last ? 4 : 2;
-    const T gap = select(first && last, roots.items[2] - roots.items[1], infinity<T>);
-    if (!polish(line, roots, {lower_half, minimum(lower_half, gap), minimum(upper_half, gap), upper_half}))
-        return false;
-    const auto& s = roots.items;
-    return s[0] < s[1] && s[2] < s[3] && (roots.count == 2 || s[1] < s[2]);
+    if (polish(line, roots)) return true;
+    roots.count = 0;
+    return false;
 }
 
 } // namespace rayscope

@@ -35,6 +35,14 @@ template <Scalar T> struct TorusLine {
         return {fma(w, w, difference_of_products(z, z, minor, minor)), T(2) * fma(w, rho_slope, z * e.z)};
     }
 
+    /// The quartic (|p|² + 1 − minor²)² − 4ρ² as a product, of the distance and the same with −ρ for ρ.
+    [[nodiscard]] T quartic(T s) const {
+        const T x = fma(s, e.x, q.x), y = fma(s, e.y, q.y), z = fma(s, e.z, q.z);
+        const T rho = sqrt(fma(x, x, y * y));
+        const T w = beyond_core_circle(x, y, rho), height = difference_of_products(z, z, minor, minor);
+        return fma(w, w, height) * fma(rho + T(1), rho + T(1), height);
+    }
+
     /// The part in the sphere and in the slab |z| ≤ minor, each a little larger than the torus.
     [[nodiscard]] Interval<T> around(T half_chord) const {
         const T half = half_chord + margin();

@@ -1,7 +1,7 @@
 #pragma once
 // Where a ray crosses the torus with major radius 1 around the z axis.
 
-#include "core/generics/torus_factors.hpp"
+#include "core/generics/torus_graze.hpp"
 #include "core/generics/torus_isolation.hpp"
 #include "core/math/ray.hpp"
 
@@ -26,7 +26,9 @@ template <Scalar T> [[nodiscard]] TorusRoots<T> torus_roots(T minor, const Ray<T
     const T half_chord = sqrt(maximum(reach_squared, T(0)));
     if (line.surely_misses(half_chord)) return {};
     TorusRoots<T> roots;
-    if (!factored_roots(line, roots)) roots = isolated_roots(line, line.around(half_chord));
+    const QuarticFactors<T> factors = factors_of(line);
+    if (!factored_roots(line, factors, roots) && !grazing_roots(line, factors, roots))
+        roots = isolated_roots(line, line.around(half_chord));
     for (T& root : roots.items) root = root / speed + middle;
     return roots;
 }
