@@ -1,13 +1,17 @@
 #include "core/rayscope.hpp"
 
 #include "core/files/atomic_file.hpp"
+#include "core/math/hash.hpp"
 #include "core/scene/build.hpp"
 #include "core/scene/name_trace.hpp"
 #include "core/scene/read_nff.hpp"
 #include "core/scene/read_toml.hpp"
+#include "core/scene/source_text.hpp"
 #include "core/trace/rescale.hpp"
 #include "core/world/inside_list.hpp"
 
+#include <fmt/format.h>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 namespace rayscope {
@@ -48,6 +52,28 @@ Workbench open(const std::filesystem::path& path) { return make_workbench(load_s
 
 RenderResult render(const Workbench& bench, const RenderOptions& options) {
     return render(bench.world, bench.scene.camera, options);
+}
+
+std::function<RenderResult(const RenderOptions&)> renderer(const Scene& scene,
+                                                           const Configuration& configuration) {
+    return with_numbers(configuration.numbers,
+                        [&]<Numbers N>() -> std::function<RenderResult(const RenderOptions&)> {
+                            const auto world = std::make_shared<World<N>>(build<N>(scene));
+                            world->max_depth = configuration.max_depth;
+                            world->min_weight = configuration.min_weight;
+                            return [world, camera = scene.camera](const RenderOptions& options) {
+                                return render(*world, camera, options);
+                            };
+                        });
+}
+
+Configuration own_configuration(const Scene& scene) {
+    return {{}, scene.limits.max_depth, scene.limits.min_weight};
+}
+
+std::string content_hash(const std::filesystem::path& path) {
+    const std::string text = read_file(path, std::size_t(1) << 30U);
+    return fmt::format("{:016x}", Fnv1a().add(text.data(), text.size()).value());
 }
 
 Trace trace_pixel(const Workbench& bench, int x, int y, int width, int height) {

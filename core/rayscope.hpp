@@ -5,6 +5,9 @@
 //     const Trace trace = trace_pixel(bench, 256, 200);
 //     write_trace(trace, "bowl.json");
 
+#include "core/accuracy/configuration.hpp"
+#include "core/accuracy/report.hpp"
+#include "core/accuracy/verdict.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/utf8.hpp"
 #include "core/image/image.hpp"
@@ -38,6 +41,17 @@ struct Workbench {
 
 /// The same bytes for any number of threads.
 [[nodiscard]] RenderResult render(const Workbench& bench, const RenderOptions& options = {});
+
+/// The scene in the numbers and with the limits of a configuration, ready to be rendered; the scene itself is not
+/// needed any more.
+[[nodiscard]] std::function<RenderResult(const RenderOptions&)> renderer(const Scene& scene,
+                                                                         const Configuration& configuration);
+
+/// The scene's own configuration: double, stable, and its limits.
+[[nodiscard]] Configuration own_configuration(const Scene& scene);
+
+/// 16 hexadecimal digits that change with the file's bytes. Throws InputError where it can't be read.
+[[nodiscard]] std::string content_hash(const std::filesystem::path& path);
 
 /// The sample of pixel (x, y), traced again with everything recorded: its colour is the image's, bit for bit.
 /// width × height: of the image that the pixel belongs to; 0: the scene's.

@@ -1,8 +1,5 @@
 // rayscope accuracy: what each configuration of a scene costs, and how wrong it is.
 
-#include "core/accuracy/verdict.hpp"
-#include "core/math/hash.hpp"
-#include "core/scene/source_text.hpp"
 #include "visualizer/cli/accuracy_files.hpp"
 #include "visualizer/cli/commands.hpp"
 #include "visualizer/cli/failure.hpp"
@@ -30,20 +27,14 @@ Size reduced(const Camera& camera) {
             std::max(1, camera.height * usual_side / longer)};
 }
 
-std::string content_hash(const std::filesystem::path& path) {
-    const std::string text = read_file(path, std::size_t(1) << 30U);
-    return fmt::format("{:016x}", Fnv1a().add(text.data(), text.size()).value());
-}
-
 struct Stopped {};
 
 class AccuracyCommand {
 public:
     explicit AccuracyCommand(const AccuracyCommandOptions& options)
         : options_(options), path_(find_scene(options.scene)), scene_(load_scene(path_)) {
-        const Configuration base{{}, scene_.limits.max_depth, scene_.limits.min_weight};
         try {
-            configurations_ = configurations(options.configurations, base);
+            configurations_ = configurations(options.configurations, own_configuration(scene_));
         } catch (const std::invalid_argument& error) {
             throw UsageError(std::string("--configs: ") + error.what());
         }

@@ -1,6 +1,5 @@
 #include "visualizer/cli/accuracy_files.hpp"
 
-#include "core/files/atomic_file.hpp"
 #include "visualizer/cli/failure.hpp"
 
 #include <fmt/format.h>

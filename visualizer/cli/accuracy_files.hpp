@@ -1,7 +1,7 @@
 #pragma once
 // Where `rayscope accuracy` keeps what it made.
 
-#include "core/accuracy/report.hpp"
+#include "core/rayscope.hpp"
 
 namespace rayscope::cli {
 

@@ -68,6 +68,8 @@ CLI::App_p make_render(Texts& texts) {
     add_text(command, "--size", texts.size, "WxH", "its size, instead of the scene's");
     add_text(command, "--threads", texts.threads, "N",
              "how many work at it, instead of one for each processor");
+    add_text(command, "--config", texts.configurations, "LIST",
+             "other numbers or limits than the scene's, such as float,textbook,depth=3");
     add_text(command, "--stats", texts.statistics, "FILE", "write times and counts to a JSON file");
     command.footer("Example:\n  rayscope render lens -o lens.png --size 1280x960\n");
     return made;
@@ -157,6 +159,7 @@ RenderCommandOptions render_options(const Texts& texts) {
     if (!texts.scene) throw UsageError("render needs a scene: rayscope render SCENE -o image.png");
     options.output = needed_output(texts, "render", "image.png");
     options.statistics = texts.statistics;
+    options.configuration = texts.configurations;
     if (texts.size) options.size = parse_size(*texts.size);
     if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
     return options;

@@ -39,6 +39,7 @@ struct RenderCommandOptions {
     std::string scene, output;
     std::optional<std::string> statistics;
     std::optional<Size> size;
+    std::optional<std::string> configuration; ///< as rayscope::configuration reads it
     int threads = 0;
 };
 

@@ -10,6 +10,7 @@
 #include "visualizer/cli/warnings.hpp"
 
 #include <cstdio>
+#include <stdexcept>
 
 namespace rayscope::cli {
 namespace {
@@ -19,21 +20,32 @@ void check_arguments(const RenderCommandOptions& options) {
     if (options.statistics) check_output("--stats", *options.statistics, {".json"});
 }
 
+Configuration chosen_configuration(const std::string& text, const Configuration& base) {
+    try {
+        return configuration(text, base);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(std::string("--config: ") + error.what());
+    }
+}
+
 } // namespace
 
 int render(const RenderCommandOptions& options) {
     check_arguments(options);
+    if (options.configuration) (void)chosen_configuration(*options.configuration, {});
     RenderReport report;
     const std::filesystem::path path = find_scene(options.scene);
     report.scene = path.string();
     report.output = options.output;
 
     const Stopwatch loading;
-    Scene scene = load_scene(path);
+    const Scene scene = load_scene(path);
     report.load = loading.elapsed();
     print_warnings(scene);
     const Stopwatch building;
-    const Workbench bench = make_workbench(std::move(scene));
+    const Configuration own = own_configuration(scene);
+    const auto trace =
+        renderer(scene, options.configuration ? chosen_configuration(*options.configuration, own) : own);
     report.build = building.elapsed();
 
     RenderOptions tracing;
@@ -48,7 +60,7 @@ int render(const RenderCommandOptions& options) {
     {
         Progress progress("image");
         tracing.progress = [&](double share) { progress.show(share); };
-        result = rayscope::render(bench, tracing);
+        result = trace(tracing);
     }
     if (!result.complete || stop_asked_for) {
         std::fputs("rayscope: stopped; nothing was written\n", stderr);
