@@ -24,7 +24,8 @@ TEST(Usage, mistakes_are_named_with_what_was_expected) {
         {{}, "rayscope: no command; expected step, trace, render, accuracy or help"},
         {{""}, "rayscope: no command; expected step, trace, render, accuracy or help"},
         {{"stp"},
-         "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, trace, render, accuracy or help"},
+         "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, trace, render, accuracy or "
+         "help"},
         {{"help", "stp"}, "rayscope: unknown command 'stp'; did you mean 'step'?"},
         {{"help", "step", "trace"}, "rayscope: unexpected argument 'trace'"},
         {{"--version", "step"}, "rayscope: unexpected argument 'step'"},
