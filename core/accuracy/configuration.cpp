@@ -9,7 +9,7 @@
 namespace rayscope {
 namespace {
 
-constexpr int deepest = 1000;
+constexpr int deepest = 256; // as deep as a scene may ask for: the recursion has to fit on the stack
 
 template <typename T> std::optional<T> number(std::string_view text) {
     T value{};
@@ -141,7 +141,7 @@ const std::vector<Axis>& axes() {
          {"float", "double", "long double", "float128"},
          set_scalar},
         {"method", "stable or textbook", {"stable", "textbook"}, set_method},
-        {"depth", "a whole number from 0 to 1000", {"1", "2", "3", "5", "8", "12"}, set_depth},
+        {"depth", "a whole number from 0 to 256", {"1", "2", "3", "5", "8", "12"}, set_depth},
         {"weight", "a number from 0 to 1", {"0.1", "0.01", "0.001", "0.0001"}, set_weight},
     };
     return table;

@@ -13,7 +13,7 @@ namespace rayscope {
 namespace {
 
 // Products of a few numbers must stay within the range of a double.
-constexpr double largest = 1e150;
+constexpr double largest_value = 1e150;
 
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
@@ -74,7 +74,7 @@ double NffTokens::number(std::string_view what) {
     // Too small for a double is zero enough; too large is caught with the infinities.
     const bool tiny = error == std::errc::result_out_of_range && (text.find("e-") != std::string_view::npos ||
                                                                   text.find("E-") != std::string_view::npos);
-    if (!whole || error == std::errc::invalid_argument || !(std::abs(x) <= largest) ||
+    if (!whole || error == std::errc::invalid_argument || !(std::abs(x) <= largest_value) ||
         (error == std::errc::result_out_of_range && !tiny))
         fail(next_,
              fmt::format("expected {}, a number of at most 1e150 in size, found {}", what, shown(next_)));

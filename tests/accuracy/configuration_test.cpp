@@ -59,9 +59,9 @@ TEST(Configuration, a_wrong_word_is_named_with_what_was_expected) {
     };
     EXPECT_EQ(message("float/deep"),
               "'deep' is no value of an axis; expected scalar=float, double, 'long double' or "
-              "float128; method=stable or textbook; depth=a whole number from 0 to 1000; "
+              "float128; method=stable or textbook; depth=a whole number from 0 to 256; "
               "weight=a number from 0 to 1");
-    EXPECT_EQ(message("depth=-1"), "expected a whole number from 0 to 1000 after 'depth=', found '-1'");
+    EXPECT_EQ(message("depth=-1"), "expected a whole number from 0 to 256 after 'depth=', found '-1'");
     EXPECT_EQ(message("weight=nan"), "expected a number from 0 to 1 after 'weight=', found 'nan'");
     for (const char* text : {"", "/", "float,", "depth=", "depth=1e9", "depth=3x", "=", "colour=3", "Float"})
         EXPECT_NE(message(text), "accepted") << text;

@@ -38,6 +38,10 @@ Mat4d matrix_from_hex(const Json& json) {
     return matrix;
 }
 
+Ray<double> ray_from(const Json& json) {
+    return {vector_from_hex(json.at("o_hex")), vector_from_hex(json.at("d_hex"))};
+}
+
 Generic<double> shape_from(const Json& json) {
     const auto& type = json.at("type").get_ref<const std::string&>();
     if (type == "sphere") return Sphere<double>{};
@@ -120,7 +124,7 @@ LineCase line_case_from(const Json& json) {
     LineCase result;
     result.id = json.at("id").get<std::string>();
     result.is_compound = json.at("kind") == "csg";
-    result.ray = {vector_from_hex(json.at("o_hex")), vector_from_hex(json.at("d_hex"))};
+    result.ray = ray_from(json);
     result.decidable = json.at("decidable").get<bool>();
     result.in_surface = json.at("in_surface").get<bool>();
     if (result.is_compound) {
@@ -157,6 +161,42 @@ RefractionCase refraction_case_from(const Json& json) {
     return result;
 }
 
+ExactTriangle triangle_from(const Json& json) {
+    ExactTriangle result;
+    for (const Json& corner : json.at("v_hex")) result.corners.push_back(vector_from_hex(corner));
+    result.status = json.at("status").get<std::string>();
+    if (result.status == "parallel" || result.status == "coplanar") return result;
+    result.t = {from_hex(json.at("t_hex")), from_hex(json.at("t_lo_hex"))};
+    result.weights = vector_from_numbers(json.at("w"));
+    result.tolerance = number(json.at("tol64"));
+    result.weight_tolerance = number(json.at("w_tol64"));
+    result.decidable = json.at("decidable").get<bool>();
+    return result;
+}
+
+TriangleCase triangle_case_from(const Json& json) {
+    TriangleCase result;
+    result.id = json.at("id").get<std::string>();
+    for (const Json& triangle : json.at("tris")) result.triangles.push_back(triangle_from(triangle));
+    result.matrix = matrix_from_hex(json.at("M_hex"));
+    result.ray = ray_from(json);
+    result.must_hit = json.at("must_hit").get<bool>();
+    return result;
+}
+
+CavityCase cavity_case_from(const Json& json) {
+    CavityCase result;
+    result.id = json.at("id").get<std::string>();
+    result.bounces = json.at("N").get<int>();
+    result.ray = ray_from(json);
+    result.wall_counts = json.at("wall_counts").get<std::array<int, 3>>();
+    result.length = from_hex(json.at("t_total_hex"));
+    result.end = vector_from_hex(json.at("p_end_hex"));
+    result.end_direction = vector_from_hex(json.at("d_end_hex"));
+    result.tolerance = number(json.at("p_tol64"));
+    return result;
+}
+
 template <typename Case>
 std::vector<Case> read_lines(const std::filesystem::path& path, Case (*convert)(const Json&)) {
     std::ifstream file(path);
@@ -182,6 +222,14 @@ std::vector<LineCase> read_line_cases(const std::filesystem::path& path) {
 
 std::vector<RefractionCase> read_refraction_cases(const std::filesystem::path& path) {
     return read_lines(path, refraction_case_from);
+}
+
+std::vector<TriangleCase> read_triangle_cases(const std::filesystem::path& path) {
+    return read_lines(path, triangle_case_from);
+}
+
+std::vector<CavityCase> read_cavity_cases(const std::filesystem::path& path) {
+    return read_lines(path, cavity_case_from);
 }
 
 } // namespace rayscope::test

@@ -5,6 +5,7 @@
 #include "core/math/ray.hpp"
 #include "core/trace/operation.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -88,8 +89,40 @@ struct RefractionCase {
     double tolerance = 0;
 };
 
+/// A triangle of kind `tri`, and where the line meets its plane.
+struct ExactTriangle {
+    std::vector<Vec3d> corners;
+    std::string status; ///< "interior", "edge", "vertex", "outside", "parallel", "coplanar"
+    bool decidable = false;
+    ExactTime t; ///< this and the next three only where the line is not parallel
+    Vec3d weights{0};
+    double tolerance = 0, weight_tolerance = 0;
+};
+
+/// Kind `tri`: one line and one or more triangles, which may share edges.
+struct TriangleCase {
+    std::string id;
+    std::vector<ExactTriangle> triangles;
+    Mat4d matrix{1};
+    Ray<double> ray;
+    bool must_hit = false; ///< the line goes through one of them, or through what they share
+};
+
+/// Kind `cavity`: a ray between the mirrors x, y, z = ±1.
+struct CavityCase {
+    std::string id;
+    int bounces = 0;
+    Ray<double> ray;
+    std::array<int, 3> wall_counts{}; ///< bounces on the walls of each axis
+    double length = 0;                ///< of the path, in units of the first direction
+    Vec3d end{0}, end_direction{0};
+    double tolerance = 0; ///< of `end`, for K = 64
+};
+
 /// Throw std::runtime_error "file:line: what is wrong" where a file can't be read.
 [[nodiscard]] std::vector<LineCase> read_line_cases(const std::filesystem::path& path);
 [[nodiscard]] std::vector<RefractionCase> read_refraction_cases(const std::filesystem::path& path);
+[[nodiscard]] std::vector<TriangleCase> read_triangle_cases(const std::filesystem::path& path);
+[[nodiscard]] std::vector<CavityCase> read_cavity_cases(const std::filesystem::path& path);
 
 } // namespace rayscope::test
