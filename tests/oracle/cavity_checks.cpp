@@ -15,6 +15,8 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
+using Long = long double;
+
 constexpr double K = 4; // tolerances are for K = 64
 
 World<double> mirror_cube() {
@@ -31,19 +33,19 @@ Fault fault_in_case(const World<double>& world, const CavityCase& exact) {
     Leaving<double> leaving;
     Ray<double> ray = exact.ray;
     std::array<int, 3> walls{};
-    long double path = 0; // the sum is not what is tested
+    Long path = 0; // the sum is not what is tested
     for (int n = 0; n < exact.bounces; ++n) {
         const auto nearest = stage.closest(ray, Range<double>{}, leaving, work, recorder);
         if (!nearest) return text("leaves the cube after ", n, " bounces");
         const Interaction<double> at = interact(world, ray, nearest, leaving, none, work);
-        path += static_cast<long double>(at.hit.t) * length(ray.direction) / length(exact.ray.direction);
+        path += Long(at.hit.t) * Long(length(ray.direction)) / Long(length(exact.ray.direction));
         ++walls.at(std::size_t(at.hit.surface.face) / 2);
         ray = {at.point, mirrored<double>(at.incoming, at.facing)};
         leaving = at.back;
     }
     if (walls != exact.wall_counts) return "bounces on other walls";
     const double allowed = exact.tolerance * K / 64; // grows with the number of bounces
-    if (const double off = double(std::abs(path - exact.length)); !(off <= allowed))
+    if (const double off = double(std::abs(path - Long(exact.length))); !(off <= allowed))
         return text("path off by ", hex(off), ", allowed are ", hex(allowed));
     if (const double off = largest_component(absolute(ray.origin - exact.end)); !(off <= allowed))
         return text("end off by ", hex(off), ", allowed are ", hex(allowed));
