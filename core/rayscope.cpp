@@ -8,7 +8,7 @@
 #include "core/scene/read_toml.hpp"
 #include "core/scene/source_text.hpp"
 #include "core/trace/rescale.hpp"
-#include "core/world/inside_list.hpp"
+#include "core/tracer/object_spans.hpp"
 
 #include <fmt/format.h>
 #include <memory>
@@ -104,21 +104,14 @@ WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std:
 }
 
 std::vector<Spans<double>> spans(const Workbench& bench, const Ray<double>& ray) {
+    const auto narrowed = [](const SpanEnd& end) {
+        return Crossing<double>{double(end.t), end.surface, end.entering};
+    };
     std::vector<Spans<double>> result;
-    const double scale = ordinary_scale(ray.direction);
-    const Ray<double> scaled{ray.origin, ray.direction * scale};
-    const LeavingSurface<double>* const nowhere = nullptr;
-    Work<double> work;
     for (std::uint32_t id = 0; id < bench.world.objects.size(); ++id) {
         Spans<double>& list = result.emplace_back();
-        const auto found = crossings(bench.world, id, scaled, nowhere, work);
-        const bool volume = bench.world.objects[id].has_volume;
-        const auto unscaled = [&](Crossing<double> crossing) {
-            crossing.t *= scale;
-            return crossing;
-        };
-        for (std::size_t i = 0; i < found.size(); i += volume ? 2 : 1)
-            list.push_back({unscaled(found[i]), unscaled(found[volume ? i + 1 : i])});
+        for (const ObjectSpan& span : object_spans(bench.world, id, ray))
+            list.push_back({narrowed(span.enter), narrowed(span.exit)});
     }
     return result;
 }

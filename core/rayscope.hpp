@@ -8,6 +8,7 @@
 #include "core/accuracy/configuration.hpp"
 #include "core/accuracy/report.hpp"
 #include "core/accuracy/verdict.hpp"
+#include "core/cases/score_report.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/utf8.hpp"
 #include "core/image/image.hpp"

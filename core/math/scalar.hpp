@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <string>
 
 namespace rayscope {
 
@@ -66,6 +67,8 @@ template <std::floating_point T> [[nodiscard]] inline T acos(T a) { return std::
 [[nodiscard]] Float128 cbrt(Float128 a);
 [[nodiscard]] Float128 cos(Float128 a);
 [[nodiscard]] Float128 acos(Float128 a);
+/// A decimal number, correctly rounded; 0 where the text is none.
+[[nodiscard]] Float128 float128_from(const std::string& decimal);
 
 /// What rounding took from the product: a·b − rounded, exactly.
 template <Scalar T> [[nodiscard]] inline T product_error(T a, T b, T rounded) {

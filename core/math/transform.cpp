@@ -19,7 +19,7 @@ template <Scalar T> Rows<T> cofactors(const Rows<T>& m) {
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
             const std::size_t p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
-            c[i][j] = m[p][r] * m[q][s] - m[p][s] * m[q][r];
+            c[i][j] = difference_of_products(m[p][r], m[q][s], m[p][s], m[q][r]);
         }
     return c;
 }
@@ -57,16 +57,21 @@ bool is_invertible(const Mat4d& matrix) {
     return true;
 }
 
-double similarity_scale(const Mat4d& matrix) {
-    const auto column = [&](int j) { return Vec3d{matrix[j][0], matrix[j][1], matrix[j][2]}; };
-    const double scale = length(column(0));
-    const double slack = 2 * epsilon<double> * scale; // a rotation matrix is itself rounded
+template <Scalar T> T similarity_scale(const Mat4d& matrix) {
+    const auto column = [&](int j) { return as<T>(Vec3d{matrix[j][0], matrix[j][1], matrix[j][2]}); };
+    const T scale = length(column(0));
+    const T slack = T(2) * epsilon<T> * scale; // a rotation matrix is itself rounded
     for (int j = 1; j < 3; ++j)
-        if (std::abs(length(column(j)) - scale) > slack) return 0;
+        if (magnitude(length(column(j)) - scale) > slack) return T(0);
     for (int j = 0; j < 3; ++j)
-        if (std::abs(dot(column(j), column((j + 1) % 3)) / scale) > slack) return 0;
+        if (magnitude(dot(column(j), column((j + 1) % 3)) / scale) > slack) return T(0);
     return scale;
 }
+
+template float similarity_scale(const Mat4d&);
+template double similarity_scale(const Mat4d&);
+template long double similarity_scale(const Mat4d&);
+template Float128 similarity_scale(const Mat4d&);
 
 template class Transform<float>;
 template class Transform<double>;

@@ -69,9 +69,9 @@ private:
 /// True if every element is finite and the linear part can be inverted without leaving the number range.
 [[nodiscard]] bool is_invertible(const Mat4d& matrix);
 
-/// If the matrix keeps spheres round (rotation, mirror, translation and one scale for all axes, within rounding):
-/// that scale; otherwise 0.
-[[nodiscard]] double similarity_scale(const Mat4d& matrix);
+/// If the matrix keeps spheres round (rotation, mirror, translation and one scale for all axes, within the rounding of
+/// T): that scale; otherwise 0. To a wider type than double, a rotation that was rounded to double is none.
+template <Scalar T> [[nodiscard]] T similarity_scale(const Mat4d& matrix);
 
 extern template class Transform<float>;
 extern template class Transform<double>;

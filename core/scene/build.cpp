@@ -47,17 +47,18 @@ double reach_of(const Placed& placed) {
 
 // A sphere that no matrix distorts needs none: it is put at its place in world space.
 template <Numbers N> Solid<N> solid_of(const Placed& placed) {
+    using T = ScalarOf<N>;
     Solid<N> solid;
     solid.object = placed.object;
     solid.material = placed.material;
-    solid.reach = ScalarOf<N>(reach_of(placed));
-    const double scale =
-        std::holds_alternative<Sphere<double>>(placed.shape) ? similarity_scale(placed.matrix) : 0;
-    if (scale > 0) {
+    solid.reach = T(reach_of(placed));
+    const T scale =
+        std::holds_alternative<Sphere<double>>(placed.shape) ? similarity_scale<T>(placed.matrix) : T(0);
+    if (scale > T(0)) {
         Mat4d translation{1};
         translation[3] = placed.matrix[3];
         solid.transform = Transform<N>(translation);
-        solid.shape = Sphere<N>{ScalarOf<N>(scale)};
+        solid.shape = Sphere<N>{scale};
         solid.is_ball = true;
     } else {
         solid.transform = Transform<N>(placed.matrix);

@@ -26,13 +26,19 @@ struct Rescaler {
 
 } // namespace
 
-double ordinary_scale(const Vec3d& direction) {
-    constexpr int ordinary = 100; // binary digits: its square is far from both ends of the number range
+template <Scalar T> double ordinary_scale(const Vec3d& direction) {
+    // Binary digits: its square is far from both ends of the number range.
+    constexpr int ordinary = std::is_same_v<T, float> ? 12 : 100;
     const double size = largest_component(absolute(direction));
     if (!(size > 0) || !std::isfinite(size)) return 1;
     const int exponent = std::ilogb(size);
     return std::abs(exponent) <= ordinary ? 1 : std::ldexp(1.0, -exponent);
 }
+
+template double ordinary_scale<float>(const Vec3d&);
+template double ordinary_scale<double>(const Vec3d&);
+template double ordinary_scale<long double>(const Vec3d&);
+template double ordinary_scale<Float128>(const Vec3d&);
 
 void rescale(TracedRay& ray, double scale) {
     for (Event& event : ray.events) std::visit(Rescaler{scale}, event);

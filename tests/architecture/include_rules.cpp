@@ -30,6 +30,7 @@ const std::map<std::string, Folders, std::less<>> stands_on = {
     {"tracer", {"extents", "octree", "bvh", "image"}},
     {"accuracy", {"tracer", "scene"}},
     {"scene", {"world", "files"}},
+    {"cases", {"tracer", "scene"}},
     {"effects", {"scene"}},
 };
 

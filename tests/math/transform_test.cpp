@@ -90,18 +90,18 @@ TEST(Transform, similarities_are_recognized) {
         const double scale = random.decade(-6, 6);
         const Mat4d m = translation(random.in_cube(9)) * random_rotation(random) * scaling(scale);
         for (const Mat4d& round : {m, m * scaling(1, -1, 1)}) {
-            const double found = similarity_scale(round);
+            const double found = similarity_scale<double>(round);
             if (found == 0) continue;
             ++recognized;
             ASSERT_NEAR(found / scale, 1, 2e-15) << hex(round);
         }
         for (const Mat4d& distorted :
              {scaling(1 + 1e-12, 1, 1), scaling(1, 1, 1 - 1e-12), shearing(1e-12), scaling(1, 1 - 1e-12, 1)})
-            ASSERT_EQ(similarity_scale(m * distorted), 0) << hex(m * distorted);
+            ASSERT_EQ(similarity_scale<double>(m * distorted), 0) << hex(m * distorted);
     }
     EXPECT_GT(recognized, 1000);
-    EXPECT_EQ(similarity_scale(translation({1, 2, 3}) * scaling(-3)), 3);
-    EXPECT_EQ(similarity_scale(rotation({0, 0, 1}, 90) * scaling(0.3)), 0.3);
+    EXPECT_EQ(similarity_scale<double>(translation({1, 2, 3}) * scaling(-3)), 3);
+    EXPECT_EQ(similarity_scale<double>(rotation({0, 0, 1}, 90) * scaling(0.3)), 0.3);
 }
 
 } // namespace

@@ -3,9 +3,9 @@ import heapq
 
 from gmpy2 import mpfr, mpq
 
-from error_model import UNIT
 from exact_numbers import sign
 from json_fields import header, scalar_fields, upper_bound, vector_fields
+from precision import unit
 
 
 def bounce(origin, direction, bounces):
@@ -37,5 +37,5 @@ def cavity_record(table, family, eps, seed, variant, rng):
     return {**header("cavity", family, eps, seed), "N": bounces, **vector_fields("o", origin),
             **vector_fields("d", direction), "wall_counts": counts, **scalar_fields("t_total", mpfr(t)),
             **vector_fields("p_end", position), **vector_fields("d_end", heading),
-            "p_tol64": upper_bound(UNIT * (mpfr(bounces) + 1) * 4),
+            "p_tol64": upper_bound(unit() * (mpfr(bounces) + 1) * 4),
             "energy": "with reflectance R the throughput after N bounces is R**N; must never exceed 1"}

@@ -2,12 +2,10 @@
 import gmpy2
 from gmpy2 import mpfr, mpq
 
-from exact_numbers import BACKWARD_ERROR, EPSILON
 from linear_algebra import (add, affine_parts, determinant_and_inverse, dot, magnitudes, product, subtract,
                             to_floats, transform, transposed)
 from polynomials import taylor_coefficients, trimmed
-
-UNIT = mpfr(BACKWARD_ERROR) * mpfr(EPSILON)
+from precision import unit
 
 
 def absolute(vector):
@@ -58,12 +56,12 @@ class ObjectRay:
 
 
 def shift_of_face(face, ray, t, tight=False):
-    """Change of a face's F at t under BACKWARD_ERROR·epsilon relative errors, first plus second order."""
+    """Change of a face's F at t under 64 ε relative errors, first plus second order."""
     error = ray.tight_error(t) if tight else ray.loose_error(t)
     gradient = face.gradient(ray.at(t))
-    first = dot([abs(mpfr(x)) for x in gradient], error) * UNIT
+    first = dot([abs(mpfr(x)) for x in gradient], error) * unit()
     curvature = [[abs(mpfr(x)) for x in row] for row in face.hessian]
-    second = dot(error, transform(curvature, error)) * UNIT * UNIT / 2
+    second = dot(error, transform(curvature, error)) * unit() * unit() / 2
     return first + second
 
 
@@ -112,9 +110,9 @@ def displacement_of_quartic(coefficients, t, shift):
 def normal_error(face, ray, t, tolerance, normal_length):
     """Angle by which the world normal may be off, given that t is off by tolerance."""
     gradient = to_floats(face.gradient(ray.at(t)))
-    moved = [tolerance * abs(d) + UNIT * e for d, e in zip(ray.direction_value, ray.loose_error(t))]
+    moved = [tolerance * abs(d) + unit() * e for d, e in zip(ray.direction_value, ray.loose_error(t))]
     turned = transform([[abs(mpfr(x)) for x in row] for row in face.hessian], moved)
     by_point = transform([to_floats(row) for row in transposed(magnitudes(ray.inverse))], turned)
     by_matrix = transform([to_floats(row) for row in transposed(ray.spread)], absolute(gradient))
-    error = add(by_point, by_matrix, UNIT)
-    return gmpy2.sqrt(dot(error, error)) / normal_length + UNIT
+    error = add(by_point, by_matrix, unit())
+    return gmpy2.sqrt(dot(error, error)) / normal_length + unit()

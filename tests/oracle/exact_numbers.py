@@ -5,9 +5,6 @@ from gmpy2 import mpfr, mpq
 PRECISION = 1200
 gmpy2.get_context().precision = PRECISION
 
-EPSILON = 2.0 ** -52
-BACKWARD_ERROR = 64  # tolerances are stated for inputs perturbed by 64 EPSILON
-
 
 class Surd:
     """rational + factor·√radicand, exact; `value` is the same to 1200 bits."""

@@ -1,6 +1,8 @@
 """Families of cases: named functions with their levels of difficulty."""
 from typing import Callable, NamedTuple
 
+from precision import chosen
+
 ONE_LEVEL = [1]
 ALL_LEVELS = list(range(1, 16))
 COARSE_LEVELS = [1, 2, 3, 4, 6, 8, 10, 12, 14, 15]
@@ -27,5 +29,5 @@ class FamilyTable(dict):
         return register
 
     def inputs(self, name, eps, variant, rng):
-        """The inputs of one case."""
-        return self[name].make(rng, eps, variant)
+        """The inputs of one case, in numbers of the chosen precision."""
+        return chosen().rounded(self[name.removesuffix(chosen().suffix)].make(rng, eps, variant))

@@ -18,17 +18,18 @@ from families_refraction import REFRACTION
 from families_triangle import TRIANGLE
 from hit_record import hit_record
 from octree_record import octree_record
+from precision import BINARY32, BINARY64, choose
 from refraction_record import refraction_record
 from triangle_record import triangle_record
 
-TABLES = ((HIT, hit_record), (HIT_TORUS, hit_record), (HIT_MATRIX, hit_record), (CSG, csg_record),
-          (REFRACTION, refraction_record), (TRIANGLE, triangle_record), (OCTREE, octree_record),
-          (CAVITY, cavity_record))
+IN_BOTH = ((HIT, hit_record), (HIT_TORUS, hit_record), (HIT_MATRIX, hit_record), (CSG, csg_record),
+           (REFRACTION, refraction_record), (TRIANGLE, triangle_record))
+IN_BINARY64 = IN_BOTH + ((OCTREE, octree_record), (CAVITY, cavity_record))
 ATTEMPTS = 20
 
 
 def make_case(table, record, name, level, variant, seed):
-    """One case; inputs that can't be decided (a direction of zero, say) are drawn again."""
+    """One case; inputs that can't be decided (a direction of zero, say) are drawn again. None if none can."""
     rng = random.Random(f"{name}/{seed}/{level}/{variant}")
     for _ in range(ATTEMPTS):
         try:
@@ -38,7 +39,19 @@ def make_case(table, record, name, level, variant, seed):
             continue
         case["id"] = f"{name}-e{level:02d}-{variant:02d}-s{seed}"
         return case
-    sys.exit(f"{name}, level {level}, variant {variant}: no case in {ATTEMPTS} attempts")
+    return None
+
+
+def make_cases(table, record, name, precision, seed):
+    """The cases of one family. Those whose inputs a narrow format can't hold are left out."""
+    choose(precision)
+    family = table[name]
+    cases = [make_case(table, record, name + precision.suffix, level, variant, seed)
+             for level in family.levels if level <= precision.hardest_level
+             for variant in range(family.repetitions)]
+    if precision is BINARY64 and None in cases:
+        sys.exit(f"{name}: a case could not be made in {ATTEMPTS} attempts")
+    return [case for case in cases if case]
 
 
 def write_family(folder, name, cases):
@@ -56,10 +69,13 @@ def main():
     arguments.folder.mkdir(parents=True, exist_ok=True)
     counts = ["family\tkind\tcases\tundecidable"]
     total = 0
-    for table, record in TABLES:
-        for name, family in table.items():
-            cases = [make_case(table, record, name, level, variant, arguments.seed)
-                     for level in family.levels for variant in range(family.repetitions)]
+    wanted = [(table, record, name, precision)
+              for precision, tables in ((BINARY64, IN_BINARY64), (BINARY32, IN_BOTH))
+              for table, record in tables for name in table]
+    for table, record, name, precision in wanted:
+        cases = make_cases(table, record, name, precision, arguments.seed)
+        if cases:
+            name += precision.suffix
             write_family(arguments.folder, name, cases)
             undecidable = sum(1 for case in cases if case.get("decidable") is False)
             counts.append(f"{name}\t{cases[0]['kind']}\t{len(cases)}\t{undecidable}")

@@ -4,6 +4,7 @@ import math
 import gmpy2
 
 from exact_numbers import Unbounded
+from precision import chosen
 
 
 def hexadecimal(x):
@@ -61,4 +62,4 @@ def shape_fields(shape):
 
 def header(kind, family, eps, seed):
     """What every case starts with; the id is filled in by the generator."""
-    return {"id": "", "kind": kind, "family": family, "eps": eps, "seed": seed}
+    return {"id": "", "kind": kind, "family": family, "eps": eps, "seed": seed, **chosen().header()}

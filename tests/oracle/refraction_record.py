@@ -2,9 +2,9 @@
 import gmpy2
 from gmpy2 import mpfr, mpq
 
-from error_model import UNIT
 from json_fields import digits, header, hexadecimal, number, scalar_fields, upper_bound, vector_fields
 from linear_algebra import dot
+from precision import unit
 
 
 class Boundary:
@@ -25,7 +25,7 @@ class Boundary:
         turn = -1 if self.normal_along_ray else 1
         self.facing = [turn * mpfr(x) / gmpy2.sqrt(mpfr(nn)) for x in n]
         sine = gmpy2.sqrt(mpfr(squared_sine))
-        self.radicand_tolerance = (2 * self.eta ** 2 * (mpfr(squared_sine) + sine) + mpfr(1)) * UNIT
+        self.radicand_tolerance = (2 * self.eta ** 2 * (mpfr(squared_sine) + sine) + mpfr(1)) * unit()
 
     def reflected(self):
         """Unit mirrored direction."""
@@ -44,7 +44,7 @@ class Boundary:
             by_root = gmpy2.sqrt(k + self.radicand_tolerance) - root
         else:
             by_root = self.radicand_tolerance / root
-        return by_root + UNIT * (1 + self.eta)
+        return by_root + unit() * (1 + self.eta)
 
     def reflectances(self, radicand):
         """Fresnel's reflectance for s- and p-polarized light."""
@@ -64,10 +64,10 @@ class Boundary:
         for side in (1, -1):
             moved = self.reflectances(k + side * self.radicand_tolerance)
             by_radicand = max([by_radicand] + [abs(a - b) for a, b in zip(moved, exact)])
-        error = UNIT * (self.cosine + mpfr(1))
+        error = unit() * (self.cosine + mpfr(1))
         ratio = mpfr(min(self.speed_from, self.speed_to) / max(self.speed_from, self.speed_to))
         slowest = max(self.cosine, mpfr(10) ** -300) + gmpy2.sqrt(max(k, mpfr(0))) * ratio + error
-        return by_radicand + min(mpfr(1), 8 * error / slowest) + UNIT
+        return by_radicand + min(mpfr(1), 8 * error / slowest) + unit()
 
 
 def refraction_record(table, family, eps, seed, variant, rng):

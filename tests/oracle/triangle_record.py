@@ -2,10 +2,11 @@
 import gmpy2
 from gmpy2 import mpfr, mpq
 
-from error_model import UNIT, ObjectRay
+from error_model import ObjectRay
 from exact_numbers import Surd
 from json_fields import header, hexadecimal, time_fields, upper_bound, vector_fields
 from linear_algebra import add, cross, dot, subtract
+from precision import unit
 
 
 def length(vector):
@@ -47,9 +48,9 @@ def triangle_fields(triangle, ray):
     condition = dot([abs(mpfr(x)) for x in normal], error) / abs(mpfr(determinant))
     least_height = length(normal) / max(length(edge) for edge in edges)
     obliqueness = length(ray.direction) * length(normal) / abs(mpfr(determinant))
-    tolerance = gmpy2.sqrt(dot(error, error)) * UNIT * (1 + obliqueness) / least_height
+    tolerance = gmpy2.sqrt(dot(error, error)) * unit() * (1 + obliqueness) / least_height
     return {**fields, "status": status_of(weights), **time_fields(Surd(t)), "w": [float(x) for x in weights],
-            "cond": upper_bound(condition), "tol64": upper_bound(condition * UNIT),
+            "cond": upper_bound(condition), "tol64": upper_bound(condition * unit()),
             "decidable": bool(min(abs(mpfr(x)) for x in weights) > tolerance),
             "w_tol64": upper_bound(tolerance)}
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from check_csg import check_csg
 from check_hit import check_hit
 from check_others import check_cavity, check_octree, check_refraction, check_triangles
+from check_precision import check_precision
 from checks import Failures
 
 CHECKS = {"hit": check_hit, "csg": check_csg, "refr": check_refraction, "tri": check_triangles,
@@ -27,6 +28,7 @@ def main():
             for text in path.read_text().splitlines():
                 case = json.loads(text)
                 checked[case["kind"]] += 1
+                check_precision(case, log)
                 CHECKS[case["kind"]](case, log)
     print("checked", dict(checked))
     for what, ids in log.cases.items():

@@ -10,5 +10,6 @@ namespace rayscope::cli {
 [[nodiscard]] int trace(const TraceOptions& options);
 [[nodiscard]] int render(const RenderCommandOptions& options);
 [[nodiscard]] int accuracy(const AccuracyCommandOptions& options);
+[[nodiscard]] int cases(const CasesOptions& options);
 
 } // namespace rayscope::cli

@@ -16,7 +16,7 @@ struct Texts {
     using Text = std::optional<std::string>;
     Text scene, pixel, ray, digits, png, size, output, threads, statistics, why;
     Text configurations, target_error, runs, reference_rays;
-    bool no_png = false;
+    bool no_png = false, cases = false;
 };
 
 const char* const scene_help = "scene file (.toml, .nff), or the name of a scene that ships";
@@ -79,6 +79,10 @@ CLI::App_p make_accuracy(Texts& texts) {
     auto made = std::make_shared<CLI::App>("tell what accuracy costs: time against error", "accuracy");
     CLI::App& command = *made;
     add_text(command, "SCENE", texts.scene, "", scene_help);
+    command.add_flag(
+        "--cases", texts.cases,
+        "instead of a scene: what each number type gets wrong on the oracle's hard cases, or on those "
+        "of the folder that stands in place of SCENE");
     add_text(command, "-o", texts.output, "FOLDER", "also write table, chart and error maps to this folder");
     add_text(command, "--size", texts.size, "WxH",
              "size of the images (the scene's, its longer side made 96)");
@@ -94,7 +98,8 @@ CLI::App_p make_accuracy(Texts& texts) {
     add_text(command, "--reference-rays", texts.reference_rays, "N",
              "rays of the reference for each pixel, 1 to 1000000 (100000)");
     command.footer("The reference is kept in ~/.cache/rayscope; after Ctrl-C the same command goes on.\n\n"
-                   "Example:\n  rayscope accuracy lens --configs scalar/float,textbook/depth -o cost\n");
+                   "Example:\n  rayscope accuracy lens --configs scalar/float,textbook/depth -o cost\n"
+                   "  rayscope accuracy --cases\n");
     return made;
 }
 
@@ -163,6 +168,21 @@ RenderCommandOptions render_options(const Texts& texts) {
     if (texts.size) options.size = parse_size(*texts.size);
     if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
     return options;
+}
+
+/// What measures a scene is no option of the cases.
+void refuse_scene_options(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options())
+        if (option->count() > 0 && !option->get_positional() && option->get_name() != "--cases" &&
+            option->get_name() != "-o")
+            throw UsageError(option->get_name() + " is about a scene, and has no meaning with --cases");
+}
+
+CasesOptions cases_options(const Texts& texts) {
+    if (texts.scene && texts.scene->empty())
+        throw UsageError("--cases: expected a folder of cases, found ''");
+    if (texts.output && texts.output->empty()) throw UsageError("-o: expected a folder, found ''");
+    return {texts.scene, texts.output};
 }
 
 AccuracyCommandOptions accuracy_options(const Texts& texts) {
@@ -241,7 +261,8 @@ Options parse_options(int count, const char* const* arguments) {
                          ": expected a value after it, found none; rayscope " + command.get_name() +
                          " --help tells more");
     } catch (const CLI::ConversionError&) { // only a flag's value is converted there
-        throw UsageError("--no-png takes no value");
+        throw UsageError((command.get_name() == "step" ? "--no-png" : "--cases") +
+                         std::string(" takes no value"));
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + "; rayscope " + command.get_name() +
                          " --help tells more");
@@ -250,6 +271,10 @@ Options parse_options(int count, const char* const* arguments) {
     refuse_repeated(command);
     if (command.get_name() == "step") return step_options(texts);
     if (command.get_name() == "render") return render_options(texts);
+    if (texts.cases) {
+        refuse_scene_options(command);
+        return cases_options(texts);
+    }
     if (command.get_name() == "accuracy") return accuracy_options(texts);
     return TraceOptions{ray_choice(texts), needed_output(texts, "trace", "ray.json")};
 }

@@ -52,12 +52,18 @@ struct AccuracyCommandOptions {
     int runs = 5, threads = 0, reference_rays = 100000;
 };
 
+struct CasesOptions {
+    std::optional<std::string> folder; ///< of case files; without it the shipped ones
+    std::optional<std::string> output; ///< a folder
+};
+
 /// Help or the version, already answered: the text goes to stdout.
 struct Help {
     std::string text;
 };
 
-using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, AccuracyCommandOptions>;
+using Options =
+    std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, AccuracyCommandOptions, CasesOptions>;
 
 /// Throws UsageError.
 [[nodiscard]] Options parse_options(int count, const char* const* arguments);

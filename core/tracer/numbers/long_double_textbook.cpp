@@ -1,9 +1,12 @@
+#include "core/tracer/object_spans.inl"
 #include "core/tracer/render.inl"
 
 namespace rayscope {
 
 template RenderResult render(const World<Textbook<long double>>&, const Camera&, const RenderOptions&);
 template Recording record(const World<Textbook<long double>>&, const Ray<double>&);
+template std::vector<ObjectSpan> object_spans(const World<Textbook<long double>>&, std::uint32_t,
+                                              const Ray<long double>&);
 template std::vector<FirstHit> first_hits(const World<Textbook<long double>>&, const Camera&,
                                           const RenderOptions&);
 

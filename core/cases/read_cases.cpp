@@ -1,15 +1,20 @@
-#include "tests/oracle/cases.hpp"
+#include "core/cases/read_cases.hpp"
+
+#include "core/scene/input_error.hpp"
+#include "core/scene/source_text.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
-#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
-namespace rayscope::test {
+namespace rayscope {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr std::size_t largest_file = std::size_t(1) << 28U; // bytes
 
 double from_hex(const Json& json) {
     const auto& text = json.get_ref<const std::string&>();
@@ -67,10 +72,16 @@ CaseToken token_from(const Json& json) {
     throw std::runtime_error("unknown operation \"" + symbol + '"');
 }
 
+ExactTime time_from(const Json& json) {
+    ExactTime t{from_hex(json.at("t_hex")), from_hex(json.at("t_lo_hex"))};
+    t.tail = float128_from(json.at("t_str").get<std::string>()) - t.value();
+    return t;
+}
+
 // What hits and bounds of compounds share.
 ExactBound bound_from(const Json& json) {
     ExactBound bound;
-    bound.t = {from_hex(json.at("t_hex")), from_hex(json.at("t_lo_hex"))};
+    bound.t = time_from(json);
     bound.touch = json.at("event") == "touch";
     bound.tolerance = number(json.at("tol64"));
     bound.tight_tolerance = number(json.at("tol64_tight"));
@@ -120,16 +131,38 @@ std::vector<ExactSpan> spans_from(const Json& json, std::size_t bounds) {
     return spans;
 }
 
+std::vector<CaseToken> program_from(const Json& json, std::size_t leaves) {
+    std::vector<CaseToken> program;
+    std::size_t operands = 0;
+    for (const Json& item : json) {
+        const CaseToken token = token_from(item);
+        const bool is_leaf = token.operation == Operation::leaf;
+        const std::size_t needed = is_leaf ? 0 : token.operation == Operation::complement ? 1 : 2;
+        if (is_leaf && token.leaf >= leaves)
+            throw std::runtime_error("rpn names leaf " + std::to_string(token.leaf) + " of " +
+                                     std::to_string(leaves));
+        if (operands < needed) throw std::runtime_error("rpn: an operation lacks an operand");
+        operands = operands - needed + 1;
+        program.push_back(token);
+    }
+    if (operands != 1)
+        throw std::runtime_error("rpn leaves " + std::to_string(operands) + " results, expected 1");
+    return program;
+}
+
+double epsilon_from(const Json& json) { return json.value("epsilon", epsilon<double>); }
+
 LineCase line_case_from(const Json& json) {
     LineCase result;
     result.id = json.at("id").get<std::string>();
+    result.epsilon = epsilon_from(json);
     result.is_compound = json.at("kind") == "csg";
     result.ray = ray_from(json);
     result.decidable = json.at("decidable").get<bool>();
     result.in_surface = json.at("in_surface").get<bool>();
     if (result.is_compound) {
         for (const Json& leaf : json.at("leaves")) result.leaves.push_back(leaf_from(leaf));
-        for (const Json& token : json.at("rpn")) result.program.push_back(token_from(token));
+        result.program = program_from(json.at("rpn"), result.leaves.size());
         for (const Json& bound : json.at("bounds")) result.bounds.push_back(compound_bound_from(bound));
         result.clean_decidable = json.at("clean_decidable").get<bool>();
         result.clean_spans = spans_from(json.at("intervals_clean"), result.bounds.size());
@@ -147,6 +180,7 @@ LineCase line_case_from(const Json& json) {
 RefractionCase refraction_case_from(const Json& json) {
     RefractionCase result;
     result.id = json.at("id").get<std::string>();
+    result.epsilon = epsilon_from(json);
     result.direction = vector_from_hex(json.at("d_hex"));
     result.normal = vector_from_hex(json.at("n_hex"));
     result.speed_from = from_hex(json.at("c1_hex"));
@@ -166,7 +200,7 @@ ExactTriangle triangle_from(const Json& json) {
     for (const Json& corner : json.at("v_hex")) result.corners.push_back(vector_from_hex(corner));
     result.status = json.at("status").get<std::string>();
     if (result.status == "parallel" || result.status == "coplanar") return result;
-    result.t = {from_hex(json.at("t_hex")), from_hex(json.at("t_lo_hex"))};
+    result.t = time_from(json);
     result.weights = vector_from_numbers(json.at("w"));
     result.tolerance = number(json.at("tol64"));
     result.weight_tolerance = number(json.at("w_tol64"));
@@ -177,6 +211,7 @@ ExactTriangle triangle_from(const Json& json) {
 TriangleCase triangle_case_from(const Json& json) {
     TriangleCase result;
     result.id = json.at("id").get<std::string>();
+    result.epsilon = epsilon_from(json);
     for (const Json& triangle : json.at("tris")) result.triangles.push_back(triangle_from(triangle));
     result.matrix = matrix_from_hex(json.at("M_hex"));
     result.ray = ray_from(json);
@@ -199,18 +234,18 @@ CavityCase cavity_case_from(const Json& json) {
 
 template <typename Case>
 std::vector<Case> read_lines(const std::filesystem::path& path, Case (*convert)(const Json&)) {
-    std::ifstream file(path);
-    if (!file) throw std::runtime_error(path.string() + ": can't be opened");
+    std::istringstream file(read_file(path, largest_file));
     std::vector<Case> cases;
     std::string line;
     for (int i = 1; std::getline(file, line); ++i) {
         try {
             cases.push_back(convert(Json::parse(line)));
         } catch (const std::exception& error) {
-            throw std::runtime_error(path.string() + ':' + std::to_string(i) + ": " + error.what());
+            throw InputError(path.string(), {i, 0},
+                             std::string("expected a case of the oracle: ") + error.what());
         }
     }
-    if (cases.empty()) throw std::runtime_error(path.string() + ": holds no cases");
+    if (cases.empty()) throw InputError(path.string(), {}, "expected a case on each line, found none");
     return cases;
 }
 
@@ -232,4 +267,4 @@ std::vector<CavityCase> read_cavity_cases(const std::filesystem::path& path) {
     return read_lines(path, cavity_case_from);
 }
 
-} // namespace rayscope::test
+} // namespace rayscope

@@ -1,29 +1,26 @@
 #pragma once
-// The oracle's cases as typed values: inputs with exact answers. What the fields mean is in README.md.
+// The oracle's cases as typed values: inputs with exact answers. tests/oracle/README.md says what the fields mean.
 
 #include "core/generics/generic.hpp"
 #include "core/math/ray.hpp"
 #include "core/trace/operation.hpp"
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace rayscope::test {
+namespace rayscope {
 
-/// A t to about 106 bits: the nearest double and what it lacks.
+/// An exact t: the nearest double, what it lacks, and what both lack.
 struct ExactTime {
     double nearest = 0, rest = 0;
+    Float128 tail = 0;
 
-    [[nodiscard]] long double value() const {
-        return static_cast<long double>(nearest) + static_cast<long double>(rest);
-    }
+    [[nodiscard]] Float128 value() const { return Float128(nearest) + Float128(rest) + tail; }
     /// |t − exact|
-    [[nodiscard]] double distance(double t) const {
-        return static_cast<double>(std::abs(static_cast<long double>(t) - static_cast<long double>(nearest) -
-                                            static_cast<long double>(rest)));
+    [[nodiscard]] double distance(Float128 t) const {
+        return double(magnitude(t - Float128(nearest) - Float128(rest) - tail));
     }
 };
 
@@ -65,6 +62,7 @@ struct CaseToken {
 /// Kinds `hit` and `csg`: one line through a solid or a compound. Kind `hit` is a program of one leaf.
 struct LineCase {
     std::string id;
+    double epsilon = rayscope::epsilon<double>; ///< that decidability and tolerances are about
     bool is_compound = false;
     std::vector<CaseLeaf> leaves;
     std::vector<CaseToken> program;
@@ -81,6 +79,7 @@ struct LineCase {
 /// Kind `refr`.
 struct RefractionCase {
     std::string id;
+    double epsilon = rayscope::epsilon<double>; ///< that decidability and tolerances are about
     Vec3d direction{0}, normal{0};
     double speed_from = 1, speed_to = 1;
     bool total = false, decidable = false;
@@ -102,6 +101,7 @@ struct ExactTriangle {
 /// Kind `tri`: one line and one or more triangles, which may share edges.
 struct TriangleCase {
     std::string id;
+    double epsilon = rayscope::epsilon<double>; ///< that decidability and tolerances are about
     std::vector<ExactTriangle> triangles;
     Mat4d matrix{1};
     Ray<double> ray;
@@ -119,10 +119,4 @@ struct CavityCase {
     double tolerance = 0; ///< of `end`, for K = 64
 };
 
-/// Throw std::runtime_error "file:line: what is wrong" where a file can't be read.
-[[nodiscard]] std::vector<LineCase> read_line_cases(const std::filesystem::path& path);
-[[nodiscard]] std::vector<RefractionCase> read_refraction_cases(const std::filesystem::path& path);
-[[nodiscard]] std::vector<TriangleCase> read_triangle_cases(const std::filesystem::path& path);
-[[nodiscard]] std::vector<CavityCase> read_cavity_cases(const std::filesystem::path& path);
-
-} // namespace rayscope::test
+} // namespace rayscope
