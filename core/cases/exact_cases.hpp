@@ -76,6 +76,10 @@ struct LineCase {
     double tolerance_sum = 0;
 };
 
+/// The case as numbers of another ε must stand it: its tolerances, proportional to ε where it is decidable, brought
+/// there.
+[[nodiscard]] LineCase at_epsilon(LineCase exact, double epsilon);
+
 /// Kind `refr`.
 struct RefractionCase {
     std::string id;
@@ -85,7 +89,9 @@ struct RefractionCase {
     bool total = false, decidable = false;
     Vec3d reflected{0};
     std::optional<Vec3d> refracted;
-    double tolerance = 0;
+    double tolerance = 0;                        ///< of `refracted`
+    double reflectance_s = 1, reflectance_p = 1; ///< after Fresnel
+    double reflectance_tolerance = 0;
 };
 
 /// A triangle of kind `tri`, and where the line meets its plane.

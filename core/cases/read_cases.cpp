@@ -187,6 +187,9 @@ RefractionCase refraction_case_from(const Json& json) {
     result.speed_to = from_hex(json.at("c2_hex"));
     result.total = json.at("tir").get<bool>();
     result.decidable = json.at("decidable").get<bool>();
+    result.reflectance_s = number(json.at("Rs"));
+    result.reflectance_p = number(json.at("Rp"));
+    result.reflectance_tolerance = number(json.at("R_tol64"));
     result.reflected = vector_from_hex(json.at("reflect_hex"));
     if (!json.at("refract").is_null()) {
         result.refracted = vector_from_hex(json.at("refract_hex"));

@@ -42,26 +42,25 @@ bool are_ordered(const std::vector<ObjectSpan>& spans) {
     return true;
 }
 
-Verdict judge_end(Score& score, const LineCase& exact, std::optional<std::size_t> index, Float128 t,
-                  double scale) {
+Verdict judge_end(Score& score, const LineCase& exact, std::optional<std::size_t> index, Float128 t) {
     if (!index) return is_finite(t) ? Verdict::wrong : Verdict::right;
     if (!is_finite(t)) return Verdict::wrong;
     const ExactBound& bound = exact.bounds[*index];
-    const double error = bound.t.distance(t), unit = bound.tight_condition * exact.epsilon * scale;
+    const double error = bound.t.distance(t), unit = bound.tight_condition * exact.epsilon;
     if (unit > 0 && std::isfinite(unit)) score.add_error(error / unit);
-    return error <= bound.tight_tolerance * scale * allowed / stated_for ? Verdict::right : Verdict::off;
+    return error <= bound.tight_tolerance * allowed / stated_for ? Verdict::right : Verdict::off;
 }
 
-template <Numbers N> std::optional<Verdict> verdict_on(Score& score, const LineCase& exact) {
-    if (!exact.decidable || exact.in_surface) return std::nullopt;
+template <Numbers N> std::optional<Verdict> verdict_on(Score& score, const LineCase& stated) {
+    if (!stated.decidable || stated.in_surface) return std::nullopt;
+    const LineCase exact = at_epsilon(stated, double(epsilon<ScalarOf<N>>));
     const World<N> world = build<N>(scene_of(exact));
     const auto found = object_spans(world, 0, as<ScalarOf<N>>(exact.ray));
     if (found.size() != exact.spans.size() || !are_ordered(found)) return Verdict::wrong;
-    const double scale = scale_from<N>(exact.epsilon);
     Verdict worst = Verdict::right;
     for (std::size_t i = 0; i < found.size(); ++i)
-        worst = std::max({worst, judge_end(score, exact, exact.spans[i].enter, found[i].enter.t, scale),
-                          judge_end(score, exact, exact.spans[i].exit, found[i].exit.t, scale)});
+        worst = std::max({worst, judge_end(score, exact, exact.spans[i].enter, found[i].enter.t),
+                          judge_end(score, exact, exact.spans[i].exit, found[i].exit.t)});
     return worst;
 }
 

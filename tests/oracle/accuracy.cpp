@@ -6,10 +6,10 @@
 
 namespace rayscope::test {
 
-void Accuracy::add(const ExactBound& exact, const FoundEnd& found) {
-    const double unit = epsilon<double> * exact.tight_condition;
+void Accuracy::add(const ExactBound& exact, const FoundEnd& found, double epsilon) {
+    const double unit = epsilon * exact.tight_condition;
     if (!(unit > 0) || !std::isfinite(unit)) return;
-    worst_error_ = std::max(worst_error_, exact.t.distance(found.t) / unit);
+    worst_error_ = std::max(worst_error_, exact.t.distance(found.value()) / unit);
     bounds_.push_back(found.error_bound / unit);
 }
 

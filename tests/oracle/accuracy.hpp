@@ -10,7 +10,7 @@ namespace rayscope::test {
 class Accuracy {
 public:
     /// Ends whose condition is 0 or infinite have no unit and are left out.
-    void add(const ExactBound& exact, const FoundEnd& found);
+    void add(const ExactBound& exact, const FoundEnd& found, double epsilon);
 
     [[nodiscard]] bool empty() const { return bounds_.empty(); }
     /// |t − exact| / (ε · condition)

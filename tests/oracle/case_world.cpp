@@ -1,5 +1,8 @@
 #include "tests/oracle/case_world.hpp"
 
+#include "core/cases/case_scene.hpp"
+#include "core/scene/build.hpp"
+
 #include <array>
 
 namespace rayscope::test {
@@ -10,56 +13,14 @@ constexpr std::size_t outside_of_list = static_cast<std::size_t>(-1);
 std::string leaf_name(std::size_t leaf) { return "leaf" + std::to_string(leaf); }
 
 // A material for each leaf, by whose shininess its walls are recognized in the world.
-SceneMaterial mark(std::size_t leaf) {
-    SceneMaterial material;
-    material.name = "of_" + leaf_name(leaf);
-    material.shininess = static_cast<double>(leaf + 1);
-    return material;
-}
-
-SceneCompound compound_of(const LineCase& exact) {
-    SceneCompound compound;
-    compound.name = "compound";
-    std::vector<std::size_t> stack;
-    for (const CaseToken& token : exact.program) {
-        SceneNode node;
-        node.operation = token.operation;
-        if (token.operation == Operation::leaf) {
-            node.operand = token.leaf;
-        } else if (token.operation == Operation::complement) {
-            node.left = stack.back();
-            stack.pop_back();
-        } else {
-            node.right = stack.back();
-            stack.pop_back();
-            node.left = stack.back();
-            stack.pop_back();
-        }
-        stack.push_back(compound.nodes.size());
-        compound.nodes.push_back(node);
-    }
-    return compound;
-}
-
-Scene scene_of(const LineCase& exact) {
-    Scene scene;
-    scene.file = exact.id;
-    scene.limits.max_depth = 0; // one ray, whatever its materials would send out
+Scene marked_scene(const LineCase& exact) {
+    Scene scene = scene_of(exact);
+    scene.materials.assign(exact.leaves.size(), {});
     for (std::size_t i = 0; i < exact.leaves.size(); ++i) {
-        scene.materials.push_back(mark(i));
-        SceneGeneric generic;
-        generic.name = leaf_name(i);
-        generic.shape = exact.leaves[i].shape;
-        generic.matrix = exact.leaves[i].matrix;
-        generic.material = i;
-        generic.visible = !exact.is_compound;
-        scene.generics.push_back(generic);
+        scene.materials[i].name = "of_" + leaf_name(i);
+        scene.materials[i].shininess = static_cast<double>(i + 1);
+        scene.generics[i].material = i;
     }
-    if (exact.is_compound) {
-        scene.compounds.push_back(compound_of(exact));
-        scene.compounds.back().material = 0;
-    }
-    scene.drawn.push_back({exact.is_compound, 0});
     return scene;
 }
 
@@ -83,28 +44,31 @@ std::size_t leaf_with_name(const LineCase& exact, const std::string& name) {
 
 } // namespace
 
-CaseWorld::CaseWorld(const LineCase& exact) : exact_(exact), bench_(make_workbench(scene_of(exact))) {}
+CaseWorld::CaseWorld(const LineCase& exact, NumbersChoice numbers)
+    : exact_(exact), numbers_(numbers), bench_(make_workbench(marked_scene(exact))) {}
 
-FoundEnd CaseWorld::end_from(const Crossing<double>& crossing) const {
-    FoundEnd end;
-    end.t = crossing.t;
-    if (!std::isfinite(crossing.t)) return end;
-    const Solid<double>& solid = bench_.world.solids.at(crossing.surface.solid);
-    const int face = crossing.surface.face;
-    end.leaf = static_cast<std::size_t>(bench_.world.materials.at(solid.material).shininess) - 1;
-    end.face = face_name(solid.shape, face);
-    end.flipped = crossing.surface.flipped;
-    end.error_bound = solid.error_bound(exact_.ray, crossing.t, face);
-    end.normal = solid.normal(exact_.ray, crossing.t, face);
-    if (end.flipped) end.normal = -end.normal;
-    return end;
+FoundEnd CaseWorld::found(const SpanEnd& end) const {
+    FoundEnd result;
+    result.t = static_cast<double>(end.t);
+    if (!std::isfinite(result.t)) return result;
+    const Solid<double>& solid = bench_.world.solids.at(end.surface.solid);
+    result.t_rest = static_cast<double>(end.t - static_cast<Float128>(result.t));
+    result.leaf = static_cast<std::size_t>(bench_.world.materials.at(solid.material).shininess) - 1;
+    result.face = face_name(solid.shape, end.surface.face);
+    result.flipped = end.surface.flipped;
+    result.error_bound = end.error_bound;
+    result.normal = end.normal;
+    return result;
 }
 
 FoundSpans CaseWorld::spans() const {
-    const auto lists = rayscope::spans(bench_, exact_.ray);
-    FoundSpans found;
-    for (const Span<double>& span : lists.at(0)) found.push_back({end_from(span.enter), end_from(span.exit)});
-    return found;
+    return with_numbers(numbers_, [&]<Numbers N>() {
+        const World<N> world = build<N>(bench_.scene);
+        FoundSpans result;
+        for (const ObjectSpan& span : object_spans(world, 0, as<ScalarOf<N>>(exact_.ray)))
+            result.push_back({found(span.enter), found(span.exit)});
+        return result;
+    });
 }
 
 std::optional<FoundEnd> CaseWorld::first_hit() const {

@@ -17,8 +17,8 @@ constexpr long double endless = infinity<long double>;
 double distance(const Vec3d& a, const Vec3d& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
 
 Piece ends_of(const LineCase& exact, const ExactSpan& span) {
-    return {span.enter ? exact.bounds[*span.enter].t.value() : -endless,
-            span.exit ? exact.bounds[*span.exit].t.value() : endless};
+    return {span.enter ? static_cast<long double>(exact.bounds[*span.enter].t.value()) : -endless,
+            span.exit ? static_cast<long double>(exact.bounds[*span.exit].t.value()) : endless};
 }
 
 Fault fault_in_bound(const LineCase& exact, const std::optional<std::size_t>& index, const FoundEnd& found,
@@ -28,7 +28,7 @@ Fault fault_in_bound(const LineCase& exact, const std::optional<std::size_t>& in
                                     : Fault{text("t = ", hex(found.t), " where the span is unbounded")};
     const ExactBound& bound = exact.bounds[*index];
     const double allowed = loose ? bound.tolerance : bound.tight_tolerance * allowed_share;
-    const double error = bound.t.distance(found.t);
+    const double error = bound.t.distance(found.value());
     if (error <= allowed) return {};
     return text("t = ", hex(found.t), " is off by ", error / allowed, " times the allowed ", hex(allowed));
 }
@@ -51,15 +51,15 @@ std::string describe(const std::vector<CaseToken>& program) {
 } // namespace
 
 Fault fault_in_order(const FoundSpans& found) {
-    double last = -infinity<double>;
+    Float128 last = -infinity<Float128>;
     for (const FoundSpan& span : found) {
         if (std::isnan(span.enter.t) || std::isnan(span.exit.t)) return "a t is NaN";
         if (std::isnan(span.enter.error_bound) || std::isnan(span.exit.error_bound))
             return "an error bound is NaN";
-        if (!(span.enter.t < span.exit.t))
+        if (!(span.enter.value() < span.exit.value()))
             return text("a span is empty or reversed at t = ", hex(span.enter.t));
-        if (span.enter.t < last) return text("spans overlap at t = ", hex(span.enter.t));
-        last = span.exit.t;
+        if (span.enter.value() < last) return text("spans overlap at t = ", hex(span.enter.t));
+        last = span.exit.value();
     }
     return {};
 }
@@ -103,7 +103,7 @@ Fault fault_in_measure(const LineCase& exact, const FoundSpans& found) {
     const auto is_doubtful = [&](const Piece& piece) {
         const long double middle = piece.from + (piece.to - piece.from) / 2;
         return std::isfinite(middle) && std::ranges::any_of(exact.leaves, [&](const CaseLeaf& leaf) {
-                   return PointInLeaf(leaf, exact.ray, middle).is_near_surface();
+                   return PointInLeaf(leaf, exact.ray, middle, exact.epsilon).is_near_surface();
                });
     };
     long double length = 0;
@@ -132,7 +132,8 @@ Fault fault_in_end(const LineCase& exact, const ExactBound& bound, const FoundEn
         normal = surface.normal;
     }
     if (!meets && meets_leaf) {
-        const PointInLeaf point(exact.leaves[found.leaf], exact.ray, bound.t.value());
+        const PointInLeaf point(exact.leaves[found.leaf], exact.ray,
+                                static_cast<long double>(bound.t.value()), exact.epsilon);
         meets = point.is_near(found.face);
         normal = point.normal(found.face);
         if (found.flipped) normal = -*normal;
@@ -142,7 +143,8 @@ Fault fault_in_end(const LineCase& exact, const ExactBound& bound, const FoundEn
                     found.flipped ? ", flipped" : "", ", which does not meet that point");
     // Where the file states no tolerance for the normal: the scales of its leaves and the lengths of its rays
     // are mild, so that the error of the point turns it by less than a hundred times itself.
-    const double allowed = bound.normal_tolerance.value_or(1e-10 + 100 * bound.tolerance);
+    const double allowed =
+        bound.normal_tolerance.value_or(1e-10 * exact.epsilon / epsilon<double> + 100 * bound.tolerance);
     const double off = normal ? distance(*normal, found.normal) : 0;
     if (off <= allowed) return {};
     return text("at t = ", hex(found.t), " the normal ", hex(found.normal), " is off by ", hex(off),

@@ -1,7 +1,7 @@
 #pragma once
 // What the core found against what is exact. Every function returns the first fault in words, or nothing.
 
-#include "tests/oracle/cases.hpp"
+#include "core/cases/exact_cases.hpp"
 
 #include <optional>
 #include <string>
@@ -17,6 +17,9 @@ struct FoundEnd {
     std::string face; ///< in the oracle's words
     bool flipped = false;
     Vec3d normal{0};
+    double t_rest = 0; ///< what t lacks, where the numbers are wider than double
+
+    [[nodiscard]] Float128 value() const { return Float128(t) + Float128(t_rest); }
 };
 
 struct FoundSpan {

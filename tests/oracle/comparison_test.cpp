@@ -204,7 +204,7 @@ TEST(Accuracy, ErrorsAndBoundsAreInUnitsOfTheCondition) {
     for (const double times : {1.0, 2.0, 9.0}) {
         FoundEnd end = end_at(1 + 3 * unit);
         end.error_bound = times * unit;
-        accuracy.add(bound_at(1), end);
+        accuracy.add(bound_at(1), end, epsilon<double>);
     }
     EXPECT_NEAR(accuracy.worst_error(), 3, 1e-9);
     EXPECT_NEAR(accuracy.bound_at(0.5), 2, 1e-9);
@@ -216,7 +216,7 @@ TEST(Accuracy, BoundsWithoutAConditionHaveNoUnit) {
     Accuracy accuracy;
     ExactBound tangent = bound_at(1);
     tangent.tight_condition = infinity<double>;
-    accuracy.add(tangent, end_at(1));
+    accuracy.add(tangent, end_at(1), epsilon<double>);
     EXPECT_TRUE(accuracy.empty());
 }
 

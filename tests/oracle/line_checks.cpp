@@ -9,12 +9,18 @@
 namespace rayscope::test {
 namespace {
 
-// Runs check(case, world, spans) on each case.
-template <typename Check> void expect_no_fault(const std::vector<LineCase>& cases, const Check& check) {
+double epsilon_of(NumbersChoice numbers) {
+    return with_numbers(numbers, []<Numbers N>() { return static_cast<double>(epsilon<ScalarOf<N>>); });
+}
+
+// Runs check(case, world, spans) on each case, brought to the ε of the numbers.
+template <typename Check>
+void expect_no_fault(const std::vector<LineCase>& cases, const Check& check, NumbersChoice numbers = {}) {
     constexpr int printed = 5;
     int wrong = 0;
-    for (const LineCase& exact : cases) {
-        const CaseWorld world(exact);
+    for (const LineCase& stated : cases) {
+        const LineCase exact = at_epsilon(stated, epsilon_of(numbers));
+        const CaseWorld world(exact, numbers);
         const FoundSpans found = world.spans();
         const Fault fault = check(exact, world, found);
         if (fault && wrong++ < printed) ADD_FAILURE() << *fault << "\n  in " << describe(exact, found);
@@ -28,7 +34,7 @@ std::vector<const ExactBound*> candidates(const std::vector<MatchedEnd>& ends, b
     std::vector<const ExactBound*> bounds;
     for (const auto& [bound, found] : ends) {
         const bool near_start = std::abs(bound->t.nearest) <= bound->tight_tolerance;
-        if (bound->t.value() <= 0 && !near_start) continue;
+        if (bound->t.nearest <= 0 && !near_start) continue;
         bounds.push_back(bound);
         if (!near_start) {
             required = true;
@@ -51,7 +57,7 @@ Fault fault_in_first_hit(const LineCase& exact, const std::vector<MatchedEnd>& e
 }
 
 Fault fault_in_error_bound(const ExactBound& exact, const FoundEnd& found) {
-    const double error = exact.t.distance(found.t);
+    const double error = exact.t.distance(found.value());
     if (error <= found.error_bound) return {};
     return text("at t = ", hex(found.t), " the error is ", hex(error), ", above its bound ",
                 hex(found.error_bound));
@@ -114,18 +120,35 @@ std::vector<MatchedEnd> comparable_ends(const LineCase& exact, const FoundSpans&
     return matched_ends(exact, exact.spans, found);
 }
 
-void expect_spans(const std::vector<LineCase>& cases) {
-    expect_no_fault(cases, [](const LineCase& exact, const CaseWorld&, const FoundSpans& found) {
-        return fault_in_case(exact, found);
-    });
+void expect_spans(const std::vector<LineCase>& cases, NumbersChoice numbers) {
+    expect_no_fault(
+        cases,
+        [](const LineCase& exact, const CaseWorld&, const FoundSpans& found) {
+            return fault_in_case(exact, found);
+        },
+        numbers);
 }
 
-void expect_surfaces_and_normals(const std::vector<LineCase>& cases) {
-    expect_no_fault(cases, [](const LineCase& exact, const CaseWorld&, const FoundSpans& found) {
-        for (const auto& [bound, end] : comparable_ends(exact, found))
-            if (auto fault = fault_in_end(exact, *bound, *end)) return fault;
-        return Fault{};
-    });
+void expect_surfaces_and_normals(const std::vector<LineCase>& cases, NumbersChoice numbers) {
+    expect_no_fault(
+        cases,
+        [](const LineCase& exact, const CaseWorld&, const FoundSpans& found) {
+            for (const auto& [bound, end] : comparable_ends(exact, found))
+                if (auto fault = fault_in_end(exact, *bound, *end)) return fault;
+            return Fault{};
+        },
+        numbers);
+}
+
+void expect_bounds_of_ends(const std::vector<LineCase>& cases, NumbersChoice numbers) {
+    expect_no_fault(
+        cases,
+        [](const LineCase& exact, const CaseWorld&, const FoundSpans& found) {
+            for (const auto& [bound, end] : comparable_ends(exact, found))
+                if (auto fault = fault_in_error_bound(*bound, *end)) return fault;
+            return Fault{};
+        },
+        numbers);
 }
 
 void expect_first_hits(const std::vector<LineCase>& cases) {
@@ -138,12 +161,10 @@ void expect_first_hits(const std::vector<LineCase>& cases) {
 }
 
 void expect_error_bounds(const std::vector<LineCase>& cases) {
+    expect_bounds_of_ends(cases, {});
     expect_no_fault(cases, [](const LineCase& exact, const CaseWorld& world, const FoundSpans& found) {
-        const auto ends = comparable_ends(exact, found);
-        for (const auto& [bound, end] : ends)
-            if (auto fault = fault_in_error_bound(*bound, *end)) return fault;
         const auto hit = world.first_hit();
-        for (const auto& [bound, end] : ends)
+        for (const auto& [bound, end] : comparable_ends(exact, found))
             if (hit && hit->t == end->t)
                 if (auto fault = fault_in_error_bound(*bound, *hit)) return fault;
         return Fault{};
@@ -160,7 +181,8 @@ Accuracy accuracy_of(const std::vector<LineCase>& cases) {
     Accuracy accuracy;
     for (const LineCase& exact : cases) {
         const FoundSpans found = CaseWorld(exact).spans();
-        for (const auto& [bound, end] : comparable_ends(exact, found)) accuracy.add(*bound, *end);
+        for (const auto& [bound, end] : comparable_ends(exact, found))
+            accuracy.add(*bound, *end, exact.epsilon);
     }
     return accuracy;
 }

@@ -34,7 +34,8 @@ WideMatrix inverse(const Mat4d& matrix) {
 
 } // namespace
 
-PointInLeaf::PointInLeaf(const CaseLeaf& leaf, const Ray<double>& ray, long double t) : shape_(leaf.shape) {
+PointInLeaf::PointInLeaf(const CaseLeaf& leaf, const Ray<double>& ray, long double t, double epsilon)
+    : shape_(leaf.shape) {
     const WideMatrix rows = inverse(leaf.matrix);
     long double squared = 0;
     for (int i = 0; i < 3; ++i) {
@@ -50,7 +51,7 @@ PointInLeaf::PointInLeaf(const CaseLeaf& leaf, const Ray<double>& ray, long doub
         point_[i] = static_cast<long double>(coordinate);
         squared += static_cast<long double>(size) * static_cast<long double>(size);
     }
-    reach_ = 64.0L * static_cast<long double>(epsilon<double>) * std::sqrt(squared);
+    reach_ = 64.0L * static_cast<long double>(epsilon) * std::sqrt(squared);
 }
 
 std::vector<PointInLeaf::Face> PointInLeaf::faces() const {

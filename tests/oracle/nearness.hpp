@@ -2,14 +2,14 @@
 // Where a point of a ray lies in a leaf, apart from the core and in 113 bits: for what the case files don't
 // state.
 
-#include "tests/oracle/cases.hpp"
+#include "core/cases/exact_cases.hpp"
 
 namespace rayscope::test {
 
 /// The point of a ray at t in the object space of a leaf.
 class PointInLeaf {
 public:
-    PointInLeaf(const CaseLeaf& leaf, const Ray<double>& ray, long double t);
+    PointInLeaf(const CaseLeaf& leaf, const Ray<double>& ray, long double t, double epsilon);
 
     /// True if inputs that are off by 64 ε can put the point on the leaf's surface.
     [[nodiscard]] bool is_near_surface() const;

@@ -1,7 +1,7 @@
 #pragma once
 // The check of all cases of a family of kind `tri`.
 
-#include "tests/oracle/cases.hpp"
+#include "core/cases/exact_cases.hpp"
 
 namespace rayscope::test {
 
