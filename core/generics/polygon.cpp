@@ -1,12 +1,30 @@
 #include "core/generics/polygon.hpp"
 
+#include "core/generics/outline.hpp"
+
 namespace rayscope {
+namespace {
+
+template <Scalar To, Scalar From> std::vector<Vec3<To>> converted(const std::vector<Vec3<From>>& vectors) {
+    std::vector<Vec3<To>> result;
+    result.reserve(vectors.size());
+    for (const Vec3<From>& v : vectors) result.push_back(as<To>(v));
+    return result;
+}
+
+// A sliver's differences of corners cancel: stable, they are taken in 113 bits.
+template <Numbers N, Scalar T = ScalarOf<N>> Vec3<T> normal_of(const std::vector<Vec3<T>>& vertices) {
+    if constexpr (is_textbook<N>)
+        return normalized(area_vector(vertices));
+    else
+        return as<T>(normalized(area_vector(converted<Float128>(vertices))));
+}
+
+} // namespace
 
 template <Numbers N>
 Polygon<N>::Polygon(std::vector<Vec3<T>> vertices, std::vector<Vec3<T>> normals)
-    : vertices_(std::move(vertices)),
-      normals_(std::move(normals)),
-      normal_(normalized(area_vector(vertices_))) {}
+    : vertices_(std::move(vertices)), normals_(std::move(normals)), normal_(normal_of<N>(vertices_)) {}
 
 template <Numbers N> auto Polygon<N>::intervals(const Ray<T>& ray, int leaving) const -> Intervals<T> {
     Intervals<T> found;
@@ -40,26 +58,14 @@ template <Numbers N> bool Polygon<N>::encloses_in_projection(const Vec3<T>& p) c
     return inside;
 }
 
-// The outline is sheared so that the ray becomes the z axis through the origin; then an even-odd count of edges
-// decides. Each edge's answer depends on its two ends alone and turns its sign with their order, so neighbours that
-// share an edge never both miss a ray between them (Woop, Benthin, Wald 2013).
+// An even-odd count of the edges to one side of the ray.
 template <Numbers N> bool Polygon<N>::encloses(const Ray<T>& ray) const {
-    const Vec3<T> size = absolute(ray.direction);
-    const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    const int x = (z + 1) % 3, y = (z + 2) % 3;
-    const T shear_x = ray.direction[x] / ray.direction[z], shear_y = ray.direction[y] / ray.direction[z];
-    const auto sheared = [&](const Vec3<T>& vertex) {
-        const Vec3<T> v = vertex - ray.origin;
-        return std::pair{fma(-shear_x, v[z], v[x]), fma(-shear_y, v[z], v[y])};
-    };
+    const OutlineView<T> view(ray);
     bool inside = false;
-    auto a = sheared(vertices_.back());
+    auto a = view.corner(vertices_.back());
     for (const Vec3<T>& vertex : vertices_) {
-        const auto b = sheared(vertex);
-        if ((a.second > T(0)) != (b.second > T(0))) {
-            const T side = difference_of_products(a.first, b.second, b.first, a.second);
-            if (b.second > a.second ? side > T(0) : side < T(0)) inside = !inside;
-        }
+        const auto b = view.corner(vertex);
+        if (view.crosses(a, b)) inside = !inside;
         a = b;
     }
     return inside;
