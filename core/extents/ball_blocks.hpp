@@ -3,6 +3,7 @@
 
 #include "core/world/world.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace rayscope {
@@ -34,9 +35,9 @@ public:
     template <typename OnHit> std::size_t each_met(const Ray<T>& ray, const OnHit& hit) const;
 
 private:
-    static constexpr std::size_t block = 64;
+    static constexpr std::size_t block = 64, lanes = 8; // tested in one go; and by the widest vectors at once
 
-    std::vector<T> x_, y_, z_, radius_; // padded to whole blocks with NaN, which no ray meets
+    std::vector<T> x_, y_, z_, radius_; // padded to whole lanes with NaN, which no ray meets
     std::vector<std::uint32_t> object_;
 };
 
@@ -52,7 +53,7 @@ template <Numbers N> BallBlocks<N>::BallBlocks(const World<N>& world) {
         radius_.push_back(std::get<Sphere<N>>(solid.shape).radius);
         object_.push_back(id);
     }
-    while (x_.size() % block != 0)
+    while (x_.size() % lanes != 0)
         for (auto* column : {&x_, &y_, &z_, &radius_})
             column->push_back(T(std::numeric_limits<double>::quiet_NaN()));
 }
@@ -66,12 +67,13 @@ std::size_t BallBlocks<N>::each_met(const Ray<T>& ray, const OnHit& hit) const {
     const T inverse_dd = T(1) / dd;
     std::array<T, block> squared;
     for (std::size_t first = 0; first < x_.size(); first += block) {
+        const std::size_t count = std::min(block, x_.size() - first);
         const T *cx = &x_[first], *cy = &y_[first], *cz = &z_[first], *radius = &radius_[first];
-        for (std::size_t i = 0; i < block; ++i)
+        for (std::size_t i = 0; i < count; ++i)
             squared[i] =
                 Sphere<N>::Chord::of(x - cx[i], y - cy[i], z - cz[i], dx, dy, dz, dd, inverse_dd, radius[i])
                     .squared;
-        for (std::size_t i = 0; i < block; ++i)
+        for (std::size_t i = 0; i < count; ++i)
             if (squared[i] > T(0)) [[unlikely]]
                 if (hit(object_[first + i])) return first + i + 1;
     }
