@@ -30,6 +30,11 @@ template <Scalar T> struct Box {
     }
 };
 
+/// The box in another number type; not rounded outward.
+template <Scalar To, Scalar From> [[nodiscard]] Box<To> as(const Box<From>& box) {
+    return {as<To>(box.low), as<To>(box.high)};
+}
+
 /// Smallest box around both.
 template <Scalar T> [[nodiscard]] Box<T> united(Box<T> a, const Box<T>& b) {
     for (int i = 0; i < 3; ++i) {

@@ -43,6 +43,20 @@ template <Numbers N> Transform<N>::Transform(const Mat4d& matrix) {
     if constexpr (is_textbook<N>) column_ = -apply(translation_);
 }
 
+template <Numbers N> auto Transform<N>::distortion() const -> T {
+    Rows<T> rows{};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) rows[std::size_t(i)][std::size_t(j)] = inverse_[i][j];
+    const auto c = cofactors(rows);
+    const T det = magnitude(determinant(rows, c));
+    T sum = T(0);
+    for (int i = 0; i < 3; ++i) { // row i of the cofactors, over the determinant, is column i of M
+        const auto& column = c[std::size_t(i)];
+        sum += length(Vec3<T>{column[0], column[1], column[2]}) / det * length(Vec3<T>(inverse_[i]));
+    }
+    return sum;
+}
+
 bool is_invertible(const Mat4d& matrix) {
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 3; ++i)

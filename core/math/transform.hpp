@@ -1,6 +1,7 @@
 #pragma once
 // From world to object space and back, for one solid.
 
+#include "core/math/box.hpp"
 #include "core/math/numbers.hpp"
 #include "core/math/ray.hpp"
 
@@ -39,6 +40,19 @@ public:
     [[nodiscard]] Vec3<T> point_error(const Ray<T>& ray, T t) const {
         return spread(ray.origin - translation_) + magnitude(t) * spread(ray.direction);
     }
+
+    /// The box, in object space, around a bounded box of world space.
+    [[nodiscard]] Box<T> box_to_object(const Box<T>& box) const {
+        const Vec3<T> middle = (box.low + box.high) / T(2), half = box.high - middle;
+        const Vec3<T> centre = point_to_object(middle);
+        const Vec3<T> rounding = spread(absolute(middle - translation_) + half) * (T(8) * epsilon<T>);
+        const Vec3<T> reach = spread(half) + rounding;
+        return {centre - reach, centre + reach};
+    }
+
+    /// How much farther than ε · (distance + size) rounding can put a crossing beside its solid, in world space: the
+    /// matrix's condition, ‖columns of M‖ · ‖rows of M⁻¹‖. 3 where M only turns and scales along its own axes.
+    [[nodiscard]] T distortion() const;
 
     [[nodiscard]] const Vec3<T>& translation() const { return translation_; }
 

@@ -39,6 +39,11 @@ template <Scalar T> [[nodiscard]] inline T largest_component(const Vec3<T>& v) {
     return maximum(maximum(v.x, v.y), v.z);
 }
 
+/// Component by component.
+template <Scalar T> [[nodiscard]] inline Vec3<T> maximum_of(const Vec3<T>& a, const Vec3<T>& b) {
+    return {maximum(a.x, b.x), maximum(a.y, b.y), maximum(a.z, b.z)};
+}
+
 /// |v|. Scaled by the largest component, so that neither 10⁻³⁰⁰ nor 10³⁰⁰ under- or overflows.
 template <Scalar T> [[nodiscard]] inline T length(const Vec3<T>& v) {
     const T scale = largest_component(absolute(v));

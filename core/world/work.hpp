@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace rayscope {
 
@@ -80,14 +81,17 @@ public:
         }
     }
     explicit operator bool() const { return count_ > 0; }
+    /// What is offered beyond this t is not kept.
+    [[nodiscard]] T reach() const { return count_ > 0 ? hits_[0].t + margin() : infinity<T>; }
     [[nodiscard]] const Hit<T>& operator*() const { return hits_[0]; }
     [[nodiscard]] std::span<const Hit<T>> all() const { return {hits_.data(), std::size_t(count_)}; }
 
 private:
-    [[nodiscard]] bool close(const Hit<T>& hit) const {
+    [[nodiscard]] T margin() const {
         constexpr T relative = limits::power_of_half<T>(limits::digits<T> / 2 - 6); // about 64 √ε
-        return hit.t - hits_[0].t <= fma(relative, magnitude(hits_[0].t), absolute_);
+        return fma(relative, magnitude(hits_[0].t), absolute_);
     }
+    [[nodiscard]] bool close(const Hit<T>& hit) const { return hit.t - hits_[0].t <= margin(); }
     void add_if_close(const Hit<T>& hit) {
         if (!close(hit)) return;
         if (count_ < int(hits_.size())) {
@@ -110,11 +114,31 @@ template <Scalar T> struct Blocker {
     std::uint32_t object;
 };
 
+/// Which objects the present ray was tested against: a stage may list one in several places.
+class Mailbox {
+public:
+    /// Forgets all visits; objects have numbers below `count`.
+    void open(std::size_t count) {
+        if (letters_.size() != count || ++ray_ == 0) {
+            letters_.assign(count, 0);
+            ray_ = 1;
+        }
+    }
+    [[nodiscard]] bool first_visit(std::uint32_t object) {
+        return std::exchange(letters_[object], ray_) != ray_;
+    }
+
+private:
+    std::vector<std::uint32_t> letters_; // the last ray that each object was tested with
+    std::uint32_t ray_ = 0;
+};
+
 template <Scalar T> struct Work {
     SpanStack<T> scratch;
     std::vector<Crossing<T>> of_operands; ///< of the compound that was asked last
     std::vector<Blocker<T>> blockers;
     std::vector<Hit<T>> coincident;
+    Mailbox mailbox;
     Counters counters;
 };
 

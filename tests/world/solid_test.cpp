@@ -1,4 +1,4 @@
-#include "core/extents/ball_blocks.hpp"
+#include "core/stage/balls.hpp"
 #include "tests/support/effort.hpp"
 #include "tests/support/hex.hpp"
 #include "tests/support/scenes.hpp"
@@ -65,7 +65,7 @@ TEST(Solid, a_distorted_sphere_or_another_shape_is_no_ball) {
     for (const Object& object : bench.world.objects) EXPECT_FALSE(bench.world.is_ball(object));
 }
 
-TEST(BallBlocks, meet_a_ball_exactly_where_its_kernel_finds_a_chord) {
+TEST(Balls, meet_a_ball_exactly_where_its_kernel_finds_a_chord) {
     SceneBuilder b;
     const auto m = b.glowing({1, 1, 1});
     Random random(5);
@@ -74,12 +74,17 @@ TEST(BallBlocks, meet_a_ball_exactly_where_its_kernel_finds_a_chord) {
         if (i % 7 == 0) b.generic(Cube<double>{}, translation(random.in_cube(3)), m);
     }
     const Workbench bench = b.open();
-    const BallBlocks<double> blocks(bench.world);
+    Balls<double> balls;
+    for (std::uint32_t id = 0; id < bench.world.objects.size(); ++id)
+        if (bench.world.is_ball(bench.world.objects[id]))
+            balls.add(bench.world.solids[bench.world.objects[id].index], id);
+    balls.pad();
+    ASSERT_EQ(balls.size(), 152U);
     std::size_t met_in_all = 0;
     for (int i = 0; i < samples(3000); ++i) {
         const Ray<double> ray{random.in_cube(4), random.direction() * random.decade(-5, 5)};
         std::vector<std::uint32_t> met, expected;
-        const std::size_t tested = blocks.each_met(ray, [&](std::uint32_t id) {
+        const std::size_t end = balls.each_met(BallRay<double>(ray), 0, balls.size(), [&](std::uint32_t id) {
             met.push_back(id);
             return false;
         });
@@ -88,11 +93,11 @@ TEST(BallBlocks, meet_a_ball_exactly_where_its_kernel_finds_a_chord) {
                 bench.world.solids[bench.world.objects[id].index].intervals(ray).count > 0)
                 expected.push_back(id);
         ASSERT_EQ(met, expected) << hex(ray);
-        ASSERT_EQ(tested, 150U);
+        ASSERT_EQ(end, 152U);
         met_in_all += met.size();
         if (met.size() < 2) continue;
         std::vector<std::uint32_t> until_second;
-        blocks.each_met(ray, [&](std::uint32_t id) {
+        balls.each_met(BallRay<double>(ray), 0, balls.size(), [&](std::uint32_t id) {
             until_second.push_back(id);
             return until_second.size() == 2;
         });

@@ -1,4 +1,4 @@
-#include "core/extents/record_object.hpp"
+#include "core/stage/record_object.hpp"
 
 namespace rayscope {
 namespace {

@@ -1,0 +1,87 @@
+#pragma once
+// Objects in boxes, boxes in boxes.
+
+#include "core/bvh/node8.hpp"
+#include "core/stage/bins.hpp"
+#include "core/stage/search.hpp"
+
+namespace rayscope {
+
+struct BvhStatistics {
+    std::size_t nodes = 0, leaves = 0;
+    std::size_t apart = 0; ///< objects without end, tested by every ray
+    int depth = 0;
+    std::size_t bytes = 0;
+    double build_seconds = 0;
+};
+
+/// A bounding volume hierarchy with eight children a node. Every object lies in one leaf; boxes overlap.
+template <Numbers N> class Bvh : public StageBase<N, Bvh<N>> {
+public:
+    using T = ScalarOf<N>;
+
+    explicit Bvh(const World<N>& world);
+
+    template <typename Search> void look(Search& search) const;
+
+    [[nodiscard]] const BvhStatistics& statistics() const { return statistics_; }
+
+private:
+    template <Numbers> friend class BvhBuilder;
+
+    static constexpr std::size_t deepest = 64;
+
+    std::vector<Node8> nodes_;
+    std::vector<Bin> leaves_;
+    Bins<N> bins_;
+    std::vector<std::uint32_t> apart_;
+    std::vector<std::uint32_t> all_; // bounded ones, for rays that no box can be relied on for
+    double scale_ = 1, distortion_ = 3;
+    BvhStatistics statistics_;
+};
+
+template <Numbers N> template <typename Search> void Bvh<N>::look(Search& search) const {
+    for (const std::uint32_t object : apart_)
+        if (search.test(object)) return;
+    if (nodes_.empty()) return;
+    const Ray8 ray(as<double>(search.ray()), scale_, distortion_);
+    if (!ray.reliable()) {
+        for (const std::uint32_t object : all_)
+            if (search.test(object)) return;
+        return;
+    }
+    const BallRay<T> ball_ray(search.ray());
+    Counters& counters = search.work().counters;
+    struct Place {
+        std::uint32_t child;
+        float enter;
+    };
+    std::array<Place, 7 * deepest + 8> stack;
+    std::size_t top = 0;
+    stack[top++] = {0, 0};
+    while (top > 0) {
+        const Place place = stack[--top];
+        const float reach = ray.reach(double(search.reach()));
+        if (place.enter > reach) continue;
+        if ((place.child & Node8::leaf) != 0) {
+            ++counters.cells;
+            if (bins_.each(leaves_[place.child & ~Node8::leaf], ball_ray, counters,
+                           [&](std::uint32_t object) { return search.test(object); }))
+                return;
+            continue;
+        }
+        ++counters.nodes;
+        const Node8& node = nodes_[place.child];
+        const auto enter = ray.enter(node, reach);
+        // Farthest first, so that the nearest is taken next.
+        const std::size_t bottom = top;
+        for (std::size_t i = 0; i < 8; ++i) {
+            if (!(enter[i] < std::numeric_limits<float>::infinity())) continue;
+            std::size_t at = top++;
+            for (; at > bottom && stack[at - 1].enter < enter[i]; --at) stack[at] = stack[at - 1];
+            stack[at] = {node.child[i], enter[i]};
+        }
+    }
+}
+
+} // namespace rayscope

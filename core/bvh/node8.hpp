@@ -1,0 +1,83 @@
+#pragma once
+// Eight boxes, tested against a ray at once.
+
+#include "core/math/box.hpp"
+#include "core/math/ray.hpp"
+
+#include <array>
+#include <cstdint>
+#include <experimental/simd>
+
+namespace rayscope {
+
+/// Boxes in float, in units of the tree's own scale, and what lies in each.
+struct alignas(32) Node8 {
+    static constexpr std::uint32_t leaf = 1U
+                                          << 31; ///< set in `child` where it is a leaf's number, not a node's
+
+    std::array<std::array<float, 8>, 3> low, high; ///< an empty place is a box that no ray meets
+    std::array<std::uint32_t, 8> child;
+
+    Node8() : child{} {
+        for (auto& axis : low) axis.fill(std::numeric_limits<float>::infinity());
+        for (auto& axis : high) axis.fill(-std::numeric_limits<float>::infinity());
+    }
+    void set(std::size_t place, const Box<float>& box, std::uint32_t what) {
+        for (int axis = 0; axis < 3; ++axis) {
+            low[std::size_t(axis)][place] = box.low[axis];
+            high[std::size_t(axis)][place] = box.high[axis];
+        }
+        child[place] = what;
+    }
+};
+
+/// A ray made ready for them: see SlabRay. Float has few digits, so the margin is wider here:
+/// 2⁻²¹ · (largest coordinate of the origin + 2), where 2 is the size of the tree.
+class Ray8 {
+public:
+    using Floats = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 8>>;
+
+    /// @param scale a power of two that brings the tree's coordinates below 2
+    Ray8(const Ray<double>& ray, double scale, double distortion) : scale_(scale) {
+        const double size = largest_component(absolute(ray.origin)) * scale + 2;
+        const double margin = 0x1p-21 * size + 64 * epsilon<double> * distortion * size;
+        reliable_ = size < 0x1p50;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double inverse = 1 / ray.direction[int(axis)], origin = ray.origin[int(axis)] * scale;
+            down_[axis] = ray.direction[int(axis)] < 0;
+            inverse_[axis] = float(magnitude(inverse) < 0x1p60 ? inverse : down_[axis] ? -0x1p60 : 0x1p60);
+            // The plane that is met first moves towards the ray, the other one away from it.
+            near_[axis] = float(down_[axis] ? origin - margin : origin + margin);
+            far_[axis] = float(down_[axis] ? origin + margin : origin - margin);
+        }
+    }
+    [[nodiscard]] bool reliable() const { return reliable_; }
+    /// t in the tree's units, never rounded down.
+    [[nodiscard]] float reach(double t) const { return float(t * scale_) * (1 + 0x1p-20F); }
+
+    /// Where the ray enters each box, never rounded up; infinite where no hit with 0 ≤ t ≤ reach can lie in it.
+    [[nodiscard]] std::array<float, 8> enter(const Node8& node, float reach) const {
+        Floats enter = 0.0F, exit = reach;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto &nearer = down_[axis] ? node.high[axis] : node.low[axis],
+                       &farther = down_[axis] ? node.low[axis] : node.high[axis];
+            const Floats a(nearer.data(), std::experimental::vector_aligned),
+                b(farther.data(), std::experimental::vector_aligned);
+            const Floats to = (a - near_[axis]) * inverse_[axis], from = (b - far_[axis]) * inverse_[axis];
+            where(to > enter, enter) = to;
+            where(from < exit, exit) = from;
+        }
+        where(enter > exit * (1 + 0x1p-20F), enter) = std::numeric_limits<float>::infinity();
+        std::array<float, 8> result;
+        (enter * (1 - 0x1p-20F)).copy_to(result.data(), std::experimental::element_aligned);
+        return result;
+    }
+
+private:
+    double scale_;
+    bool reliable_;
+    std::array<bool, 3> down_;
+    std::array<float, 3> inverse_, near_, far_;
+};
+
+} // namespace rayscope

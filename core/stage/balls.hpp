@@ -1,0 +1,98 @@
+#pragma once
+// Spheres that no matrix distorts, stored component by component, so that the compiler tests several at once.
+
+#include "core/world/work.hpp"
+#include "core/world/world.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace rayscope {
+
+/// The solid of an object that is a sphere in world space and without which the object has no crossing: a plain ball
+/// itself; of a compound, the operand from which all the rest is taken, as the outer sphere of a bowl.
+template <Numbers N>
+[[nodiscard]] std::optional<std::uint32_t> deciding_ball(const World<N>& world, const Object& object) {
+    if (world.is_ball(object)) return object.index;
+    if (!object.is_compound) return std::nullopt;
+    const Program& program = world.compounds[object.index].program;
+    const bool rest_is_guarded = program.size() > 1 && program[0].kind == Instruction::Kind::leaf &&
+                                 program[1].kind == Instruction::Kind::guard &&
+                                 program[1].operand == program.size();
+    if (!rest_is_guarded || !world.solids[program[0].operand].is_ball) return std::nullopt;
+    return program[0].operand;
+}
+
+/// What all tests of one ray share.
+template <Scalar T> struct BallRay {
+    T x, y, z, dx, dy, dz, dd, inverse_dd;
+
+    explicit BallRay(const Ray<T>& ray)
+        : x(ray.origin.x),
+          y(ray.origin.y),
+          z(ray.origin.z),
+          dx(ray.direction.x),
+          dy(ray.direction.y),
+          dz(ray.direction.z),
+          dd(dot(ray.direction, ray.direction)),
+          inverse_dd(T(1) / dd) {}
+};
+
+template <Numbers N> class Balls {
+public:
+    using T = ScalarOf<N>;
+    static constexpr std::size_t lanes = 8; ///< the widest vectors' doubles
+
+    /// @param ball a solid with is_ball
+    void add(const Solid<N>& ball, std::uint32_t object) {
+        x_.push_back(ball.transform.translation().x);
+        y_.push_back(ball.transform.translation().y);
+        z_.push_back(ball.transform.translation().z);
+        radius_.push_back(std::get<Sphere<N>>(ball.shape).radius);
+        object_.push_back(object);
+    }
+    /// Fills up with balls that no ray meets, until the number of all is one of whole lanes.
+    void pad() {
+        while (x_.size() % lanes != 0) {
+            for (auto* column : {&x_, &y_, &z_, &radius_})
+                column->push_back(T(std::numeric_limits<double>::quiet_NaN()));
+            object_.push_back(0);
+        }
+    }
+    [[nodiscard]] std::size_t size() const { return x_.size(); }
+    void reserve(std::size_t count) {
+        for (auto* column : {&x_, &y_, &z_, &radius_}) column->reserve(count);
+        object_.reserve(count);
+    }
+    [[nodiscard]] std::size_t bytes() const {
+        return x_.capacity() * 4 * sizeof(T) + object_.capacity() * sizeof(std::uint32_t);
+    }
+
+    /// Calls hit(object) for each of the balls first … last − 1 that the ray's line meets, in their order, until it returns
+    /// true. The test is the Sphere kernel's own arithmetic: a ball passes exactly if its kernel finds a chord.
+    /// Both ends are multiples of `lanes`.
+    /// @return the ball after the one that ended it, or `last`
+    template <typename OnHit>
+    std::size_t each_met(const BallRay<T>& ray, std::size_t first, std::size_t last, const OnHit& hit) const {
+        constexpr std::size_t block = 8 * lanes;
+        std::array<T, block> squared;
+        for (; first < last; first += block) {
+            const std::size_t count = std::min(block, last - first);
+            const T *cx = &x_[first], *cy = &y_[first], *cz = &z_[first], *radius = &radius_[first];
+            for (std::size_t i = 0; i < count; ++i)
+                squared[i] = Sphere<N>::Chord::of(ray.x - cx[i], ray.y - cy[i], ray.z - cz[i], ray.dx, ray.dy,
+                                                  ray.dz, ray.dd, ray.inverse_dd, radius[i])
+                                 .squared;
+            for (std::size_t i = 0; i < count; ++i)
+                if (squared[i] > T(0)) [[unlikely]]
+                    if (hit(object_[first + i])) return first + i + 1;
+        }
+        return last;
+    }
+
+private:
+    std::vector<T> x_, y_, z_, radius_;
+    std::vector<std::uint32_t> object_;
+};
+
+} // namespace rayscope

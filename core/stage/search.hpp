@@ -1,0 +1,141 @@
+#pragma once
+// What becomes of the objects that a stage finds worth testing: the same for all stages.
+
+#include "core/stage/record_object.hpp"
+
+namespace rayscope {
+
+/// The nearest crossing with t in the range, with those of other objects that may coincide with it. What it holds in the
+/// end depends on the objects that were tested, not on their order.
+template <Numbers N, typename Recorder> class NearestSearch {
+public:
+    using T = ScalarOf<N>;
+    static constexpr bool recording = Recorder::enabled;
+
+    NearestSearch(const World<N>& world, const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
+                  Work<T>& work, Recorder& recorder)
+        : world_(world),
+          ray_(ray),
+          range_(range),
+          leaving_(leaving),
+          work_(work),
+          recorder_(recorder),
+          nearest_(ray) {
+        // What the ray leaves starts with a crossing at t = 0 that no box knows of.
+        for (const LeavingSurface<T>& surface : leaving) test(surface.object, &surface);
+    }
+
+    /// @return true where no other object can change the answer
+    bool test(std::uint32_t object) {
+        if (leaving_.of(object) == nullptr) test(object, nullptr);
+        return false;
+    }
+    /// What begins beyond this t can't change the answer.
+    [[nodiscard]] T reach() const { return minimum(range_.max, nearest_.reach()); }
+    [[nodiscard]] bool done() const { return false; }
+    [[nodiscard]] const Nearest<T>& result() const { return nearest_; }
+    [[nodiscard]] const Ray<T>& ray() const { return ray_; }
+    [[nodiscard]] Work<T>& work() const { return work_; }
+    [[nodiscard]] Recorder& recorder() const { return recorder_; }
+
+private:
+    void test(std::uint32_t object, const LeavingSurface<T>* start) {
+        if constexpr (Recorder::enabled) record_object(world_, object, ray_, range_, start, recorder_);
+        if (const auto first = first_of_object(world_, object, ray_, range_, start, work_))
+            nearest_.offer(*first);
+    }
+
+    const World<N>& world_;
+    const Ray<T>& ray_;
+    const Range<T>& range_;
+    const Leaving<T>& leaving_;
+    Work<T>& work_;
+    Recorder& recorder_;
+    Nearest<T> nearest_;
+};
+
+/// Whether an opaque object has a crossing in the range. If there is none, work.blockers holds the crossings of
+/// transmitting objects in the range, by (t, object).
+template <Numbers N, typename Recorder> class BlockerSearch {
+public:
+    using T = ScalarOf<N>;
+    static constexpr bool recording = Recorder::enabled;
+
+    BlockerSearch(const World<N>& world, const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
+                  Work<T>& work, Recorder& recorder)
+        : world_(world), ray_(ray), range_(range), leaving_(leaving), work_(work), recorder_(recorder) {
+        work.blockers.clear();
+        for (const LeavingSurface<T>& surface : leaving)
+            if (!blocked_) test(surface.object, &surface);
+    }
+
+    bool test(std::uint32_t object) {
+        if (leaving_.of(object) == nullptr) test(object, nullptr);
+        return blocked_;
+    }
+    [[nodiscard]] T reach() const { return range_.max; }
+    [[nodiscard]] bool done() const { return blocked_; }
+    [[nodiscard]] bool result() {
+        if (!blocked_ && work_.blockers.size() > 1)
+            std::sort(work_.blockers.begin(), work_.blockers.end(), [](const auto& a, const auto& b) {
+                return a.t < b.t || (a.t == b.t && a.object < b.object);
+            });
+        return blocked_;
+    }
+    [[nodiscard]] const Ray<T>& ray() const { return ray_; }
+    [[nodiscard]] Work<T>& work() const { return work_; }
+    [[nodiscard]] Recorder& recorder() const { return recorder_; }
+
+private:
+    void test(std::uint32_t object, const LeavingSurface<T>* start) {
+        if constexpr (Recorder::enabled) record_object(world_, object, ray_, range_, start, recorder_);
+        if (!world_.material_of(object).transmits()) {
+            blocked_ = first_of_object(world_, object, ray_, range_, start, work_).has_value();
+            return;
+        }
+        const auto list = crossings(world_, object, ray_, start, work_);
+        if (const auto first = first_crossing(world_, ray_, list, range_, start)) {
+            work_.blockers.push_back({first->t, object});
+            for (const Crossing<T>& c : list)
+                if (c.t > first->t && range_.contains(c.t)) work_.blockers.push_back({c.t, object});
+        }
+    }
+
+    const World<N>& world_;
+    const Ray<T>& ray_;
+    const Range<T>& range_;
+    const Leaving<T>& leaving_;
+    Work<T>& work_;
+    Recorder& recorder_;
+    bool blocked_ = false;
+};
+
+/// A stage is a type with look(search): it calls search.test(object) for every object that may change the answer, until
+/// that returns true, and may leave out all that lie beyond search.reach(). From it follow the two questions that a
+/// tracer asks, and that every stage answers alike, bit for bit.
+template <Numbers N, typename Stage> class StageBase {
+public:
+    using T = ScalarOf<N>;
+
+    template <typename Recorder>
+    [[nodiscard]] Nearest<T> closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
+                                     Work<T>& work, Recorder& recorder) const {
+        NearestSearch<N, Recorder> search(world_, ray, range, leaving, work, recorder);
+        static_cast<const Stage&>(*this).look(search);
+        return search.result();
+    }
+
+    template <typename Recorder>
+    [[nodiscard]] bool blocked(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
+                               Work<T>& work, Recorder& recorder) const {
+        BlockerSearch<N, Recorder> search(world_, ray, range, leaving, work, recorder);
+        if (!search.done()) static_cast<const Stage&>(*this).look(search);
+        return search.result();
+    }
+
+protected:
+    explicit StageBase(const World<N>& world) : world_(world) {}
+    const World<N>& world_;
+};
+
+} // namespace rayscope
