@@ -22,7 +22,7 @@ public:
 
     explicit Bvh(const World<N>& world);
 
-    template <typename Search> void look(Search& search) const;
+    template <typename Search> void look(const RayUse&, Search& search) const;
 
     [[nodiscard]] const BvhStatistics& statistics() const { return statistics_; }
 
@@ -40,7 +40,9 @@ private:
     BvhStatistics statistics_;
 };
 
-template <Numbers N> template <typename Search> void Bvh<N>::look(Search& search) const {
+template <Numbers N>
+template <typename Search>
+void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
     for (const std::uint32_t object : apart_)
         if (search.test(object)) return;
     if (nodes_.empty()) return;

@@ -55,19 +55,10 @@ template <Numbers N> void BvhBuilder<N>::build() {
 }
 
 template <Numbers N> void BvhBuilder<N>::sort_out() {
-    Box<double> bounds;
-    for (std::uint32_t id = 0; id < world_.objects.size(); ++id) {
-        const Object& object = world_.objects[id];
-        if (stands_apart(world_, object)) {
-            tree_.apart_.push_back(id);
-            continue;
-        }
-        tree_.all_.push_back(id);
-        bounds = united(bounds, object.bounds);
-        tree_.distortion_ = maximum(tree_.distortion_, double(distortion_of(world_, object)));
-    }
-    const double size = largest_component(maximum_of(absolute(bounds.low), absolute(bounds.high)));
-    if (!tree_.all_.empty() && size > 0) tree_.scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(size)));
+    const Reach reach = rayscope::sort_out(world_, tree_.apart_, tree_.all_);
+    tree_.distortion_ = reach.distortion;
+    if (!tree_.all_.empty() && reach.size() > 0)
+        tree_.scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(reach.size())));
     items_.reserve(tree_.all_.size());
     for (const std::uint32_t id : tree_.all_)
         items_.push_back({outward(world_.objects[id].bounds, tree_.scale_), id});

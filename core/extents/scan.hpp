@@ -12,7 +12,7 @@ public:
 
     explicit Scan(const World<N>& world);
 
-    template <typename Search> void look(Search& search) const;
+    template <typename Search> void look(const RayUse&, Search& search) const;
 
 private:
     Balls<N> balls_;
@@ -36,7 +36,9 @@ template <Numbers N> Scan<N>::Scan(const World<N>& world) : StageBase<N, Scan<N>
     balls_.pad();
 }
 
-template <Numbers N> template <typename Search> void Scan<N>::look(Search& search) const {
+template <Numbers N>
+template <typename Search>
+void Scan<N>::look(const RayUse& /*use*/, Search& search) const {
     constexpr bool recording = Search::recording;
     std::size_t met = 0, later = recording ? not_balls_.size() - others_.size() : 0;
     const std::size_t end =

@@ -43,17 +43,24 @@ template <Numbers N> Transform<N>::Transform(const Mat4d& matrix) {
     if constexpr (is_textbook<N>) column_ = -apply(translation_);
 }
 
-template <Numbers N> auto Transform<N>::distortion() const -> T {
+template <Numbers N> auto Transform<N>::matrix() const -> Mat4<T> {
     Rows<T> rows{};
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) rows[std::size_t(i)][std::size_t(j)] = inverse_[i][j];
     const auto c = cofactors(rows);
-    const T det = magnitude(determinant(rows, c));
+    const T det = determinant(rows, c);
+    Mat4<T> matrix{T(1)};
+    for (int i = 0; i < 3; ++i) // row i of the cofactors, over the determinant, is column i of M
+        for (int j = 0; j < 3; ++j) matrix[i][j] = c[std::size_t(i)][std::size_t(j)] / det;
+    for (int j = 0; j < 3; ++j) matrix[3][j] = translation_[j];
+    return matrix;
+}
+
+template <Numbers N> auto Transform<N>::distortion() const -> T {
+    const Mat4<T> m = matrix();
     T sum = T(0);
-    for (int i = 0; i < 3; ++i) { // row i of the cofactors, over the determinant, is column i of M
-        const auto& column = c[std::size_t(i)];
-        sum += length(Vec3<T>{column[0], column[1], column[2]}) / det * length(Vec3<T>(inverse_[i]));
-    }
+    for (int i = 0; i < 3; ++i)
+        sum += length(Vec3<T>{m[i][0], m[i][1], m[i][2]}) * length(Vec3<T>(inverse_[i]));
     return sum;
 }
 

@@ -54,6 +54,9 @@ public:
     /// matrix's condition, ‖columns of M‖ · ‖rows of M⁻¹‖. 3 where M only turns and scales along its own axes.
     [[nodiscard]] T distortion() const;
 
+    /// M itself, back from its inverse: off by a few ε times distortion().
+    [[nodiscard]] Mat4<T> matrix() const;
+
     [[nodiscard]] const Vec3<T>& translation() const { return translation_; }
 
 private:

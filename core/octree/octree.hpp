@@ -18,7 +18,7 @@ public:
 
     explicit Octree(const World<N>& world, const OctreeLimits& limits = {});
 
-    template <typename Search> void look(Search& search) const;
+    template <typename Search> void look(const RayUse&, Search& search) const;
 
     [[nodiscard]] const OctreeStatistics& statistics() const { return statistics_; }
     [[nodiscard]] const Box<T>& bounds() const { return bounds_; }
@@ -48,17 +48,17 @@ private:
     std::vector<std::uint32_t> apart_; // tested by every ray
     std::vector<std::uint32_t> all_;   // bounded ones, for rays that no box can be relied on for
     Box<T> bounds_;
-    T distortion_ = T(3);
+    T size_ = T(0), distortion_ = T(3);
     OctreeStatistics statistics_;
 };
 
-template <Numbers N> template <typename Search> void Octree<N>::look(Search& search) const {
+template <Numbers N>
+template <typename Search>
+void Octree<N>::look(const RayUse& /*use*/, Search& search) const {
     for (const std::uint32_t object : apart_)
         if (search.test(object)) return;
     if (nodes_.empty()) return;
-    const SlabRay<T> slabs(search.ray(),
-                           largest_component(maximum_of(absolute(bounds_.low), absolute(bounds_.high))),
-                           distortion_);
+    const SlabRay<T> slabs(search.ray(), size_, distortion_);
     if (slabs.reliable()) {
         search.work().mailbox.open(this->world_.objects.size());
         walk(search, slabs);

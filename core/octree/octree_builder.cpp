@@ -40,18 +40,12 @@ template <Numbers N> void OctreeBuilder<N>::build() {
 }
 
 template <Numbers N> void OctreeBuilder<N>::sort_out() {
-    for (std::uint32_t id = 0; id < world_.objects.size(); ++id) {
-        if (stands_apart(world_, world_.objects[id])) {
-            tree_.apart_.push_back(id);
-            continue;
-        }
-        tree_.all_.push_back(id);
-        tree_.bounds_ = united(tree_.bounds_, as<T>(world_.objects[id].bounds));
-        tree_.distortion_ = maximum(tree_.distortion_, distortion_of(world_, world_.objects[id]));
-    }
+    const Reach reach = rayscope::sort_out(world_, tree_.apart_, tree_.all_);
+    tree_.bounds_ = as<T>(reach.bounds);
+    tree_.size_ = T(reach.size());
+    tree_.distortion_ = T(reach.distortion);
     lists_ = tree_.all_;
-    margin_ = T(64) * epsilon<T> *
-              largest_component(maximum_of(absolute(tree_.bounds_.low), absolute(tree_.bounds_.high)));
+    margin_ = T(64) * epsilon<T> * tree_.size_;
 }
 
 template <Numbers N> void OctreeBuilder<N>::choose_limits() {

@@ -17,6 +17,9 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     return most;
 }
 
+/// Transform::distortion() that boxes still make room for.
+template <Scalar T> inline constexpr T most_distorted = T(1024);
+
 /// True for what has no end, or ends so far away that products of its coordinates overflow, and for what a matrix
 /// distorts so much that one box margin for it would blow up the boxes of all others.
 template <Numbers N> [[nodiscard]] bool stands_apart(const World<N>& world, const Object& object) {
@@ -24,8 +27,40 @@ template <Numbers N> [[nodiscard]] bool stands_apart(const World<N>& world, cons
     if (!object.bounds.bounded()) return true;
     const Vec3d size = maximum_of(absolute(object.bounds.low), absolute(object.bounds.high));
     constexpr double farthest = std::is_same_v<T, float> ? 0x1p30 : 0x1p300;
-    constexpr T strongest = T(1024);
-    return !(largest_component(size) < farthest) || !(distortion_of(world, object) <= strongest);
+    return !(largest_component(size) < farthest) || !(distortion_of(world, object) <= most_distorted<T>);
+}
+
+/// Of the objects that do not stand apart: how large they and their distortion are.
+struct Reach {
+    Box<double> bounds;
+    double distortion = 3;
+
+    /// The largest coordinate.
+    [[nodiscard]] double size() const {
+        return largest_component(maximum_of(absolute(bounds.low), absolute(bounds.high)));
+    }
+    /// How far rounding may put a crossing beside its object, for rays from this far away: see SlabRay.
+    [[nodiscard]] double margin(double origin) const {
+        return 64 * epsilon<double> * distortion * (origin + size());
+    }
+};
+
+/// @param apart, together take up the objects that do and do not stand apart
+template <Numbers N>
+[[nodiscard]] Reach sort_out(const World<N>& world, std::vector<std::uint32_t>& apart,
+                             std::vector<std::uint32_t>& together) {
+    Reach reach;
+    for (std::uint32_t id = 0; id < world.objects.size(); ++id) {
+        const Object& object = world.objects[id];
+        if (stands_apart(world, object)) {
+            apart.push_back(id);
+            continue;
+        }
+        together.push_back(id);
+        reach.bounds = united(reach.bounds, object.bounds);
+        reach.distortion = maximum(reach.distortion, double(distortion_of(world, object)));
+    }
+    return reach;
 }
 
 } // namespace rayscope

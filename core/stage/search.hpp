@@ -1,7 +1,10 @@
 #pragma once
 // What becomes of the objects that a stage finds worth testing: the same for all stages.
 
+#include "core/stage/ray_use.hpp"
 #include "core/stage/record_object.hpp"
+
+#include <algorithm>
 
 namespace rayscope {
 
@@ -73,6 +76,8 @@ public:
         if (leaving_.of(object) == nullptr) test(object, nullptr);
         return blocked_;
     }
+    /// A stage knows that an opaque object has a crossing in the range.
+    void covered() { blocked_ = true; }
     [[nodiscard]] T reach() const { return range_.max; }
     [[nodiscard]] bool done() const { return blocked_; }
     [[nodiscard]] bool result() {
@@ -110,27 +115,39 @@ private:
     bool blocked_ = false;
 };
 
-/// A stage is a type with look(search): it calls search.test(object) for every object that may change the answer, until
-/// that returns true, and may leave out all that lie beyond search.reach(). From it follow the two questions that a
-/// tracer asks, and that every stage answers alike, bit for bit.
+/// A stage is a type with look(use, search): it calls search.test(object) for every object that may change the answer,
+/// until that returns true, and may leave out all that lie beyond search.reach(). From it follow the two questions that
+/// a tracer asks, and that every stage answers alike, bit for bit.
 template <Numbers N, typename Stage> class StageBase {
 public:
     using T = ScalarOf<N>;
 
     template <typename Recorder>
-    [[nodiscard]] Nearest<T> closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
-                                     Work<T>& work, Recorder& recorder) const {
+    [[nodiscard]] Nearest<T> closest(const RayUse& use, const Ray<T>& ray, const Range<T>& range,
+                                     const Leaving<T>& leaving, Work<T>& work, Recorder& recorder) const {
         NearestSearch<N, Recorder> search(world_, ray, range, leaving, work, recorder);
-        static_cast<const Stage&>(*this).look(search);
+        static_cast<const Stage&>(*this).look(use, search);
         return search.result();
     }
 
     template <typename Recorder>
+    [[nodiscard]] bool blocked(const RayUse& use, const Ray<T>& ray, const Range<T>& range,
+                               const Leaving<T>& leaving, Work<T>& work, Recorder& recorder) const {
+        BlockerSearch<N, Recorder> search(world_, ray, range, leaving, work, recorder);
+        if (!search.done()) static_cast<const Stage&>(*this).look(use, search);
+        return search.result();
+    }
+
+    /// The same for a ray of no certain pixel or light.
+    template <typename Recorder>
+    [[nodiscard]] Nearest<T> closest(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
+                                     Work<T>& work, Recorder& recorder) const {
+        return closest(RayUse{}, ray, range, leaving, work, recorder);
+    }
+    template <typename Recorder>
     [[nodiscard]] bool blocked(const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
                                Work<T>& work, Recorder& recorder) const {
-        BlockerSearch<N, Recorder> search(world_, ray, range, leaving, work, recorder);
-        if (!search.done()) static_cast<const Stage&>(*this).look(search);
-        return search.result();
+        return blocked(RayUse{RayKind::shadow}, ray, range, leaving, work, recorder);
     }
 
 protected:

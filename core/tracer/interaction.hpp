@@ -55,6 +55,9 @@ template <Numbers N, Scalar T = ScalarOf<N>>
         coincident.push_back(hit);
         if (hit.object < first.object) first = hit;
     }
+    // In which order a stage came upon them is no concern of what follows.
+    std::sort(coincident.begin(), coincident.end(),
+              [](const Hit<T>& a, const Hit<T>& b) { return a.object < b.object; });
     return first;
 }
 

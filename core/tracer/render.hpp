@@ -2,6 +2,7 @@
 // A whole image.
 
 #include "core/image/image.hpp"
+#include "core/stage/stage_choice.hpp"
 #include "core/trace/trace.hpp"
 #include "core/world/camera.hpp"
 #include "core/world/counters.hpp"
@@ -15,6 +16,7 @@ namespace rayscope {
 struct RenderOptions {
     int width = 0, height = 0;               ///< 0: the camera's
     int threads = 0;                         ///< 0: one for each processor
+    std::optional<StageChoice> stage;        ///< of double stable; none: the quickest for the scene
     std::function<void(double)> progress;    ///< called with 0 … 1, by one thread at a time
     const std::atomic<bool>* stop = nullptr; ///< set to true from outside: the render ends soon, incomplete
 };
@@ -22,6 +24,9 @@ struct RenderOptions {
 /// What a render did, and how long it took.
 struct RenderStatistics {
     Counters counters;
+    StageChoice stage;                        ///< that found the hits
+    std::string stage_reason;                 ///< why it was chosen; empty where it was asked for
+    double build_seconds = 0;                 ///< of its boxes, lists and trees; part of the next two
     double cpu_seconds = 0, wall_seconds = 0; ///< of tracing alone
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 // What each Numbers' own file instantiates (see the folder numbers).
 
-#include "core/extents/scan.hpp"
 #include "core/tracer/reference_samples.hpp"
+#include "core/tracer/stage_set.hpp"
 #include "core/tracer/tiles.hpp"
 #include "core/tracer/tracer.hpp"
 
@@ -12,6 +12,26 @@
 
 namespace rayscope {
 
+/// Numbers other than double stable are followed to compare images of scenes that are small: they scan.
+template <Numbers N>
+[[nodiscard]] auto stage_for(const World<N>& world, const EyeRays& eye_rays, int width, int height,
+                             const RenderOptions& options, RenderStatistics& statistics) {
+    if constexpr (std::is_same_v<N, double>) {
+        BestChoice best;
+        if (options.stage)
+            best.choice = *options.stage;
+        else
+            best = best_choice(world);
+        StageSet stages(world, best.choice, Screen{eye_rays, width, height});
+        statistics.stage = best.choice;
+        statistics.stage_reason = best.reason;
+        statistics.build_seconds = stages.build_seconds();
+        return stages;
+    } else {
+        return Scan<N>(world);
+    }
+}
+
 template <Numbers N>
 RenderResult render(const World<N>& world, const Camera& camera, const RenderOptions& options) {
     using T = ScalarOf<N>;
@@ -19,15 +39,15 @@ RenderResult render(const World<N>& world, const Camera& camera, const RenderOpt
     Image& image = result.image = Image(options.width > 0 ? options.width : camera.width,
                                         options.height > 0 ? options.height : camera.height);
     const Stopwatch stopwatch;
-    const Scan<N> stage(world);
     const EyeRays eye_rays(camera, image.width, image.height);
+    const auto stage = stage_for(world, eye_rays, image.width, image.height, options, result.statistics);
     tbb::enumerable_thread_specific<Work<T>> works;
     result.complete = for_each_tile(image.width, image.height, options, [&](const Tile& tile) {
         NullRecorder recorder;
         Tracer tracer(world, stage, works.local(), recorder);
         for (int y = tile.top; y < tile.bottom; ++y)
             for (int x = tile.left; x < tile.right; ++x)
-                image.set(x, y, tracer.trace(as<T>(eye_rays.through(x + 0.5, y + 0.5))));
+                image.set(x, y, tracer.trace(as<T>(eye_rays.through(x + 0.5, y + 0.5)), x, y));
     });
     for (const Work<T>& work : works) result.statistics.counters += work.counters;
     result.statistics.cpu_seconds = stopwatch.cpu_seconds();

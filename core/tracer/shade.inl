@@ -7,7 +7,8 @@
 namespace rayscope {
 
 template <Numbers N, typename Stage, typename Recorder, typename Order>
-Colour Tracer<N, Stage, Recorder, Order>::trace(const Ray<T>& ray) {
+Colour Tracer<N, Stage, Recorder, Order>::trace(const Ray<T>& ray, int x, int y) {
+    eye_ = {RayKind::eye, x, y, none};
     rays_left_ = world_.max_rays;
     const Leaving<T> nothing;
     Budget budget;
@@ -16,17 +17,17 @@ Colour Tracer<N, Stage, Recorder, Order>::trace(const Ray<T>& ray) {
         budget.medium = medium_at_start(world_, ray, work_);
         recorder_.record(spawned(RayKind::eye, ray, nothing, budget));
     }
-    Colour colour = shade(ray, nothing, budget);
+    Colour colour = shade(eye_, ray, nothing, budget);
     if constexpr (Order::waits) colour += follow_waiting();
     return colour;
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order>
-Colour Tracer<N, Stage, Recorder, Order>::shade(const Ray<T>& ray, const Leaving<T>& leaving,
-                                                const Budget& budget) {
+Colour Tracer<N, Stage, Recorder, Order>::shade(const RayUse& use, const Ray<T>& ray,
+                                                const Leaving<T>& leaving, const Budget& budget) {
     const std::uint64_t before = work_.counters.objects;
     const Range<T> range{budget.depth == 0 ? T(0) : secondary_start<N>};
-    const auto hit = stage_.closest(ray, range, leaving, work_, recorder_);
+    const auto hit = stage_.closest(use, ray, range, leaving, work_, recorder_);
     const int tested = int(work_.counters.objects - before);
     if (!hit) {
         if constexpr (Recorder::enabled) {
@@ -100,7 +101,9 @@ Colour Tracer<N, Stage, Recorder, Order>::visibility(Id light, const Vec3<T>& to
     if constexpr (Recorder::enabled)
         recorder_.record(spawned(RayKind::shadow, ray, at.back, budget, distance, light));
     const std::uint64_t before = work_.counters.objects;
-    const bool dark = stage_.blocked(ray, Range<T>{secondary_start<N>, distance}, at.back, work_, recorder_);
+    const RayUse use{RayKind::shadow, none, none, light};
+    const bool dark =
+        stage_.blocked(use, ray, Range<T>{secondary_start<N>, distance}, at.back, work_, recorder_);
     Colour seen{dark ? 0.0 : 1.0};
     if (!dark) {
         for (const Blocker<T>& blocker : work_.blockers) {
@@ -157,7 +160,7 @@ Colour Tracer<N, Stage, Recorder, Order>::follow(const Continuation& next, const
         --rays_left_;
         ++work_.counters.rays[std::size_t(next.kind)];
         if constexpr (Recorder::enabled) recorder_.record(spawned(next.kind, ray, next.leaving, after));
-        return next.coefficient * shade(ray, next.leaving, after);
+        return next.coefficient * shade({next.kind}, ray, next.leaving, after);
     }
 }
 
@@ -168,7 +171,7 @@ Colour Tracer<N, Stage, Recorder, Order>::follow_waiting() {
     for (; !order_.empty() && rays_left_ > 0; --rays_left_) {
         const WaitingRay<T> next = order_.pop();
         ++work_.counters.rays[std::size_t(next.kind)];
-        colour += next.budget.weight * shade(next.ray, next.leaving, next.budget);
+        colour += next.budget.weight * shade({next.kind}, next.ray, next.leaving, next.budget);
     }
     while (!order_.empty()) order_.lose(order_.pop().budget.weight);
     return colour;

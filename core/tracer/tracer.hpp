@@ -4,6 +4,7 @@
 #include "core/reflection/mirror.hpp"
 #include "core/refraction/snell.hpp"
 #include "core/shading/phong.hpp"
+#include "core/stage/ray_use.hpp"
 #include "core/tracer/budget.hpp"
 #include "core/tracer/interaction.hpp"
 #include "core/tracer/order.hpp"
@@ -25,7 +26,8 @@ public:
           limits_{world.max_depth, world.min_weight} {}
 
     /// The light that comes back along an eye ray, linear RGB.
-    [[nodiscard]] Colour trace(const Ray<T>& ray);
+    /// @param x, y the pixel that it goes through, if any
+    [[nodiscard]] Colour trace(const Ray<T>& ray, int x = none, int y = none);
 
     [[nodiscard]] const Order& order() const { return order_; }
 
@@ -39,7 +41,8 @@ private:
         Id medium;
     };
 
-    [[nodiscard]] Colour shade(const Ray<T>& ray, const Leaving<T>& leaving, const Budget& budget);
+    [[nodiscard]] Colour shade(const RayUse& use, const Ray<T>& ray, const Leaving<T>& leaving,
+                               const Budget& budget);
     [[nodiscard]] Colour local_light(const Interaction<N>& at, const Budget& budget);
     [[nodiscard]] Colour light_from(Id light, const Interaction<N>& at, const Budget& budget);
     [[nodiscard]] Colour visibility(Id light, const Vec3<T>& to_light, T distance, const Interaction<N>& at,
@@ -60,6 +63,7 @@ private:
     Recorder& recorder_;
     [[no_unique_address]] Order order_;
     RecursionLimits limits_;
+    RayUse eye_;
     int rays_left_ = 0;
 };
 

@@ -5,19 +5,23 @@
 namespace rayscope {
 
 EyeRays::EyeRays(const Camera& camera, int width, int height)
-    : eye_(camera.eye),
+    : pixel_(2 * std::tan(camera.field_of_view * std::numbers::pi / 360) / height),
+      eye_(camera.eye),
       forward_(normalized(camera.look_at - camera.eye)),
       centre_x_(0.5 * width),
       centre_y_(0.5 * height) {
-    const double half_angle = camera.field_of_view * std::numbers::pi / 360;
-    const double pixel = 2 * std::tan(half_angle) / height;
     right_ = normalized(cross(forward_, camera.up));
-    down_ = cross(forward_, right_) * pixel;
-    right_ *= pixel;
+    down_ = cross(forward_, right_) * pixel_;
+    right_ *= pixel_;
 }
 
 Ray<double> EyeRays::through(double x, double y) const {
     return {eye_, normalized(forward_ + (x - centre_x_) * right_ + (y - centre_y_) * down_)};
+}
+
+Vec3d EyeRays::from_eye(const Vec3d& point) const {
+    const Vec3d v = point - eye_;
+    return {dot(v, right_) / pixel_, dot(v, down_) / pixel_, dot(v, forward_)};
 }
 
 } // namespace rayscope

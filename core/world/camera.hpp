@@ -19,7 +19,14 @@ public:
     /// Through the point (x, y) in pixels; the middle of pixel (i, j) is (i + ½, j + ½).
     [[nodiscard]] Ray<double> through(double x, double y) const;
 
+    /// A point in the eye's own lengths: to the right, down, and along the view.
+    [[nodiscard]] Vec3d from_eye(const Vec3d& point) const;
+    [[nodiscard]] const Vec3d& eye() const { return eye_; }
+    /// The edge of a pixel at distance 1.
+    [[nodiscard]] double pixel() const { return pixel_; }
+
 private:
+    double pixel_;
     Vec3d eye_, forward_, right_, down_; // right_ and down_ are one pixel long, at distance 1
     double centre_x_, centre_y_;
 };

@@ -1,6 +1,7 @@
 // Guards against a stage that loses a hit: every stage gives the scan's answers, bit for bit.
 
 #include "core/bvh/bvh.hpp"
+#include "core/extents/extents.hpp"
 #include "core/extents/scan.hpp"
 #include "core/octree/octree.hpp"
 #include "core/scene/build.hpp"
@@ -95,7 +96,7 @@ template <typename Stage> void compare_on_random_scenes(int scenes, int rays) {
 
 template <typename Stage> class Agreement : public testing::Test {};
 template <typename Stage> class AgreementFull : public testing::Test {};
-using Stages = testing::Types<Octree<double>, Bvh<double>>;
+using Stages = testing::Types<Extents<double>, Octree<double>, Bvh<double>>;
 TYPED_TEST_SUITE(Agreement, Stages);
 TYPED_TEST_SUITE(AgreementFull, Stages);
 

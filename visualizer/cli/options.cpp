@@ -14,7 +14,7 @@ namespace {
 /// The options as texts: they are checked after all of them are known. An empty one was given, and is wrong.
 struct Texts {
     using Text = std::optional<std::string>;
-    Text scene, pixel, ray, digits, png, size, output, threads, statistics, why;
+    Text scene, pixel, ray, digits, png, size, output, threads, statistics, why, stage;
     Text configurations, target_error, runs, reference_rays;
     bool no_png = false, cases = false;
 };
@@ -70,6 +70,10 @@ CLI::App_p make_render(Texts& texts) {
              "how many work at it, instead of one for each processor");
     add_text(command, "--config", texts.configurations, "LIST",
              "other numbers or limits than the scene's, such as float,textbook,depth=3");
+    add_text(command, "--stage", texts.stage, "NAME",
+             "how hits are found: best, scan, extents, projective, light, octree, bvh, or one for each kind "
+             "of ray, "
+             "such as eye=projective,shadow=light,other=octree; the image stays the same, bit for bit");
     add_text(command, "--stats", texts.statistics, "FILE", "write times and counts to a JSON file");
     command.footer("Example:\n  rayscope render lens -o lens.png --size 1280x960\n");
     return made;
@@ -165,6 +169,7 @@ RenderCommandOptions render_options(const Texts& texts) {
     options.output = needed_output(texts, "render", "image.png");
     options.statistics = texts.statistics;
     options.configuration = texts.configurations;
+    options.stage = texts.stage;
     if (texts.size) options.size = parse_size(*texts.size);
     if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
     return options;

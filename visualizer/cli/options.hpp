@@ -40,6 +40,7 @@ struct RenderCommandOptions {
     std::optional<std::string> statistics;
     std::optional<Size> size;
     std::optional<std::string> configuration; ///< as rayscope::configuration reads it
+    std::optional<std::string> stage; ///< as rayscope::stage_choice reads it; none or "best": the quickest
     int threads = 0;
 };
 

@@ -28,11 +28,21 @@ Configuration chosen_configuration(const std::string& text, const Configuration&
     }
 }
 
+std::optional<StageChoice> chosen_stage(const std::optional<std::string>& text) {
+    if (!text || *text == "best") return std::nullopt;
+    try {
+        return stage_choice(*text);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(std::string("--stage: ") + error.what());
+    }
+}
+
 } // namespace
 
 int render(const RenderCommandOptions& options) {
     check_arguments(options);
     if (options.configuration) (void)chosen_configuration(*options.configuration, {});
+    const std::optional<StageChoice> stage = chosen_stage(options.stage);
     RenderReport report;
     const std::filesystem::path path = find_scene(options.scene);
     report.scene = path.string();
@@ -44,8 +54,11 @@ int render(const RenderCommandOptions& options) {
     print_warnings(scene);
     const Stopwatch building;
     const Configuration own = own_configuration(scene);
-    const auto trace =
-        renderer(scene, options.configuration ? chosen_configuration(*options.configuration, own) : own);
+    const Configuration chosen =
+        options.configuration ? chosen_configuration(*options.configuration, own) : own;
+    if (stage && *stage != StageChoice{} && chosen.numbers != NumbersChoice{})
+        throw UsageError("--stage: other numbers than double stable scan; expected scan with this --config");
+    const auto trace = renderer(scene, chosen);
     report.build = building.elapsed();
 
     RenderOptions tracing;
@@ -54,6 +67,7 @@ int render(const RenderCommandOptions& options) {
         tracing.height = options.size->height;
     }
     tracing.threads = options.threads;
+    tracing.stage = stage;
     tracing.stop = &stop_asked_for;
     catch_interrupts();
     RenderResult result;
@@ -68,6 +82,9 @@ int render(const RenderCommandOptions& options) {
     }
     report.trace = {result.statistics.cpu_seconds, result.statistics.wall_seconds};
     report.counters = result.statistics.counters;
+    report.stage = described(result.statistics.stage);
+    report.stage_reason = result.statistics.stage_reason;
+    report.stage_build = result.statistics.build_seconds;
     report.width = result.image.width;
     report.height = result.image.height;
     report.image_hash = hash(result.image);

@@ -56,12 +56,18 @@ std::string report_text(const RenderReport& report) {
     std::string text = fmt::format("rays    {}\n", counts(counters.rays, ray_kind_at));
     text += fmt::format("tests   {}; compounds {}\n", counts(counters.tests, generic_kind_at),
                         grouped(counters.compounds));
+    text += fmt::format("stage   {}{}{}\n", report.stage, report.stage_reason.empty() ? "" : "; ",
+                        report.stage_reason);
+    text += fmt::format("        nodes {}, cells {}, boxes {} of which missed {}\n", grouped(counters.nodes),
+                        grouped(counters.cells), grouped(counters.boxes), grouped(counters.boxes_missed));
     text += fmt::format("cut     by depth {}, by weight {}, by max_rays {}; total reflections {}\n",
                         grouped(counters.cut_by_depth), grouped(counters.cut_by_weight),
                         grouped(counters.cut_by_ray_limit), grouped(counters.total_reflections));
     text += fmt::format(
-        "time    {:.3f} s: load {:.3f}, build {:.3f}, trace {:.3f} (CPU {:.3f}), write {:.3f}\n", wall,
-        report.load.wall, report.build.wall, report.trace.wall, report.trace.cpu, report.write.wall);
+        "time    {:.3f} s: load {:.3f}, build {:.3f}, trace {:.3f} (CPU {:.3f}; {:.3f} for the stage), write "
+        "{:.3f}\n",
+        wall, report.load.wall, report.build.wall, report.trace.wall, report.trace.cpu, report.stage_build,
+        report.write.wall);
     text += fmt::format("image   {} × {} pixels, {} bytes\n", report.width, report.height,
                         grouped(report.file_bytes));
     return text + harmless(report.output) + "\n";
@@ -86,6 +92,13 @@ std::string report_json(const RenderReport& report) {
     for (std::size_t i = 0; i < counters.tests.size(); ++i)
         json["tests"][generic_kind_at(i)] = counters.tests[i];
     json["compounds"] = counters.compounds;
+    json["stage"] = {{"choice", report.stage},
+                     {"reason", report.stage_reason},
+                     {"build_seconds", report.stage_build},
+                     {"nodes", counters.nodes},
+                     {"cells", counters.cells},
+                     {"boxes", counters.boxes},
+                     {"boxes_missed", counters.boxes_missed}};
     json["cut"] = {{"depth", counters.cut_by_depth},
                    {"weight", counters.cut_by_weight},
                    {"max_rays", counters.cut_by_ray_limit}};

@@ -31,6 +31,8 @@ struct RenderReport {
     std::uintmax_t file_bytes = 0;
     Seconds load, build, trace, write;
     Counters counters;
+    std::string stage, stage_reason; ///< how hits were found, and why so; no reason where it was asked for
+    double stage_build = 0;          ///< seconds: what it built, part of `trace`
 };
 
 /// A few lines for the terminal.

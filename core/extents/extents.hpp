@@ -1,0 +1,57 @@
+#pragma once
+// The second stage: the generic's box is tested first, in the generic's own space.
+
+#include "core/stage/apart.hpp"
+#include "core/stage/search.hpp"
+#include "core/stage/slab_ray.hpp"
+
+namespace rayscope {
+
+/// A box around each solid in object space: for most generics the notes' cube. A ray that misses it needs no test of what
+/// is in it. Whether that pays depends on what is in it: a box costs more than a ball, and less than a torus.
+template <Numbers N> class Extents : public StageBase<N, Extents<N>> {
+public:
+    using T = ScalarOf<N>;
+
+    explicit Extents(const World<N>& world) : StageBase<N, Extents<N>>(world) {
+        for (const Object& object : world.objects) apart_.push_back(stands_apart(world, object));
+    }
+
+    template <typename Search> void look(const RayUse& /*use*/, Search& search) const {
+        Counters& counters = search.work().counters;
+        for (std::uint32_t id = 0; id < this->world_.objects.size(); ++id) {
+            ++counters.boxes;
+            if (!apart_[id] && !may_hit(this->world_.objects[id], search.ray(), search.reach())) {
+                ++counters.boxes_missed;
+                continue;
+            }
+            if (search.test(id)) return;
+        }
+    }
+
+private:
+    [[nodiscard]] bool may_hit(const Object& object, const Ray<T>& ray, T reach) const {
+        if (object.is_compound) { // the box that its parts make together, in world space
+            const Box<T> box = as<T>(object.bounds);
+            return may_hit(SlabRay<T>(ray, size_of(box), most_distorted<T>), box, reach);
+        }
+        const Solid<N>& solid = this->world_.solids[object.index];
+        const Box<T> box = std::visit([](const auto& s) { return s.bounds(); }, solid.shape);
+        // Here the point_error of Transform is what rounding can do, up to where the ray has passed the box.
+        const Ray<T> moved = solid.transform.to_object(ray);
+        const T passed = (size_of(Box<T>{moved.origin, moved.origin}) + size_of(box)) /
+                         largest_component(absolute(moved.direction));
+        const T size = largest_component(solid.transform.point_error(ray, passed)) + size_of(box);
+        return may_hit(SlabRay<T>(moved, size, T(1)), box, reach);
+    }
+    [[nodiscard]] static bool may_hit(const SlabRay<T>& ray, const Box<T>& box, T reach) {
+        return !ray.reliable() || ray.may_hit(box, reach);
+    }
+    [[nodiscard]] static T size_of(const Box<T>& box) {
+        return largest_component(maximum_of(absolute(box.low), absolute(box.high)));
+    }
+
+    std::vector<bool> apart_; // by object
+};
+
+} // namespace rayscope

@@ -1,0 +1,162 @@
+#include "core/extents/light_extents.hpp"
+
+namespace rayscope {
+namespace {
+
+constexpr double cell_rounding = 0x1p-10; // of a cell: far above rounding
+constexpr double steepest = 4;            // slope that a single window still looks at
+
+int cells_for(std::size_t objects) {
+    int cells = 16; // measured: more than 256² cost more to fill than their shorter lists save
+    while (cells < 256 && double(cells) * cells < 4 * double(objects)) cells *= 2;
+    return cells;
+}
+
+// Rounded towards −∞, or +∞, by more than float rounds.
+float below(double x) { return float(x - magnitude(x) * 0x1p-20); }
+float above(double x) { return float(x + magnitude(x) * 0x1p-20); }
+
+} // namespace
+
+template <Numbers N> LightExtents<N>::LightExtents(const World<N>& world) : world_(world) {
+    reach_ = sort_out(world, apart_, together_);
+    farthest_ = 1024 * reach_.size();
+    margin_ = reach_.margin(farthest_);
+    for (const Light& light : world.lights)
+        lights_.push_back(together_.empty() ? Windows{} : windows_of(light));
+}
+
+template <Numbers N> auto LightExtents<N>::windows_of(const Light& light) const -> Windows {
+    LightView view;
+    view.parallel = light.directional;
+    view.position = light.position;
+    view.cells = cells_for(together_.size());
+    const Vec3d middle = (reach_.bounds.low + reach_.bounds.high) / 2.0;
+    const Vec3d towards = light.directional ? -light.position : middle - light.position;
+    if (length(towards) > 0) {
+        view.look(towards);
+        const Rectangles seen = rectangles(view);
+        if (fit(view, seen)) {
+            Windows windows;
+            windows.push_back(window(view, seen));
+            return windows;
+        }
+    }
+    // The light stands among the objects: the six sides of a cube around it.
+    Windows windows;
+    view.left = view.top = -1 - 0x1p-20; // edges overlap
+    view.width = view.height = 2 + 0x1p-19;
+    view.cells = std::max(16, view.cells / 2);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+            Vec3d direction{0};
+            direction[axis] = side;
+            view.look(direction);
+            windows.push_back(window(view, rectangles(view)));
+        }
+    return windows;
+}
+
+template <Numbers N> auto LightExtents<N>::rectangles(const LightView& view) const -> Rectangles {
+    const Views<N> views(world_, margin_);
+    const auto frame = [&](const Vec3d& p) { return view.from_light(p); };
+    Rectangles result;
+    for (const std::uint32_t id : together_) {
+        const Object& object = world_.objects[id];
+        result.push_back(view.parallel ? views.parallel_rectangle(object, frame)
+                                       : views.rectangle(object, frame));
+    }
+    return result;
+}
+
+// One window for all objects, where they lie in front of the light.
+template <Numbers N> bool LightExtents<N>::fit(LightView& view, const Rectangles& rectangles) const {
+    ViewRectangle all;
+    for (const auto& seen : rectangles) {
+        if (!seen) return false;
+        all.include(seen->left, seen->top);
+        all.include(seen->right, seen->bottom);
+    }
+    const double widest = maximum(maximum(-all.left, all.right), maximum(-all.top, all.bottom));
+    if (!(widest < (view.parallel ? infinity<double> : steepest))) return false;
+    const double edge = 2 * cell_rounding / view.cells;
+    view.width = (all.right - all.left) * (1 + 2 * edge);
+    view.height = (all.bottom - all.top) * (1 + 2 * edge);
+    view.left = all.left - edge * (all.right - all.left);
+    view.top = all.top - edge * (all.bottom - all.top);
+    return view.width > 0 && view.height > 0;
+}
+
+template <Numbers N>
+auto LightExtents<N>::window(const LightView& view, const Rectangles& rectangles) const -> Window {
+    Window result{view, {}, {}};
+    const auto cell = [&](double place) {
+        return int(minimum(maximum(place, 0.0), double(view.cells) - 0.5));
+    };
+    std::vector<CellLists::Item> items;
+    for (std::size_t i = 0; i < together_.size(); ++i) {
+        const auto& seen = rectangles[i];
+        if (!seen) continue;
+        const double left = view.column(seen->left) - cell_rounding,
+                     top = view.row(seen->top) - cell_rounding;
+        const double right = view.column(seen->right) + cell_rounding,
+                     bottom = view.row(seen->bottom) + cell_rounding;
+        if (right < 0 || bottom < 0 || left > view.cells || top > view.cells) continue;
+        items.push_back(
+            {cell(left), cell(top), cell(right), cell(bottom), below(seen->nearest), together_[i]});
+    }
+    result.covered.assign(std::size_t(view.cells) * std::size_t(view.cells), infinity<float>);
+    for (const CellLists::Item& item : items) {
+        const Object& object = world_.objects[item.object];
+        if (world_.is_ball(object) && !world_.material_of(object).transmits()) cover(result, object, item);
+    }
+    result.lists = CellLists(view.cells, view.cells, std::move(items));
+    return result;
+}
+
+// A cell whose corners lie within the ball's outline lies within it as a whole.
+template <Numbers N>
+void LightExtents<N>::cover(Window& window, const Object& object, const CellLists::Item& item) const {
+    const Solid<N>& ball = world_.solids[object.index];
+    const LightView& view = window.view;
+    const Vec3d centre = view.from_light(as<double>(ball.transform.translation()));
+    const double radius = double(std::get<Sphere<N>>(ball.shape).radius);
+    const double surely = radius * (1 - 0x1p-20) - margin_, from_light = view.distance(centre);
+    if (!(surely > 0) || (!view.parallel && from_light <= radius + margin_)) return;
+    const auto hides = [&](double column, double row) {
+        const double x = view.left + column * view.width / view.cells,
+                     y = view.top + row * view.height / view.cells;
+        if (view.parallel) return std::hypot(x - centre.x, y - centre.y) < surely;
+        const Vec3d direction = normalized(Vec3d{x, y, 1});
+        return dot(direction, centre) > 0 && length(cross(direction, centre)) < surely;
+    };
+    const float beyond = above(from_light + radius + margin_);
+    for (int y = item.top; y <= item.bottom; ++y)
+        for (int x = item.left; x <= item.right; ++x) {
+            const double left = x - cell_rounding, right = x + 1 + cell_rounding, top = y - cell_rounding,
+                         bottom = y + 1 + cell_rounding;
+            if (!hides(left, top) || !hides(right, top) || !hides(left, bottom) || !hides(right, bottom))
+                continue;
+            float& covered = window.covered[std::size_t(y * view.cells + x)];
+            covered = minimum(covered, beyond);
+        }
+}
+
+template <Numbers N> std::size_t LightExtents<N>::entries() const {
+    std::size_t sum = 0;
+    for (const Windows& windows : lights_)
+        for (const Window& window : windows) sum += window.lists.size();
+    return sum;
+}
+
+template <Numbers N> std::size_t LightExtents<N>::bytes() const {
+    std::size_t sum = 0;
+    for (const Windows& windows : lights_)
+        for (const Window& window : windows)
+            sum += window.lists.bytes() + window.covered.capacity() * sizeof(float);
+    return sum;
+}
+
+template class LightExtents<double>;
+
+} // namespace rayscope

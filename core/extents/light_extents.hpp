@@ -1,0 +1,78 @@
+#pragma once
+// Projective extents once more, as a light sees them (the light buffer: Haines and Greenberg 1986).
+
+#include "core/extents/cell_lists.hpp"
+#include "core/extents/light_view.hpp"
+#include "core/extents/view_rectangle.hpp"
+#include "core/stage/apart.hpp"
+#include "core/stage/search.hpp"
+
+namespace rayscope {
+
+/// For shadow rays: what can stand between a point and a light is seen by the light in the direction of that point. Each
+/// cell around the light lists what is seen through it, nearest to the light first; and the distance from which on an
+/// opaque ball covers the whole cell: what lies beyond is dark without a test.
+template <Numbers N> class LightExtents {
+public:
+    explicit LightExtents(const World<N>& world);
+
+    template <typename Search> void look(const RayUse& use, Search& search) const;
+
+    [[nodiscard]] std::size_t entries() const;
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    struct Window {
+        LightView view;
+        CellLists lists;
+        std::vector<float> covered; ///< by cell: the distance from which on all is dark
+    };
+    using Windows = std::vector<Window>;
+    using Rectangles = std::vector<std::optional<ViewRectangle>>; // of the objects together_
+
+    [[nodiscard]] Windows windows_of(const Light& light) const;
+    [[nodiscard]] Rectangles rectangles(const LightView& view) const;
+    [[nodiscard]] bool fit(LightView& view, const Rectangles& rectangles) const;
+    [[nodiscard]] Window window(const LightView& view, const Rectangles& rectangles) const;
+    void cover(Window& window, const Object& object, const CellLists::Item& item) const;
+
+    const World<N>& world_;
+    std::vector<std::uint32_t> apart_, together_;
+    Reach reach_;
+    double farthest_ = 0, margin_ = 0; // where rays may start; by how much objects are larger for it
+    std::vector<Windows> lights_;
+};
+
+template <Numbers N>
+template <typename Search>
+void LightExtents<N>::look(const RayUse& use, Search& search) const {
+    const Vec3d from = as<double>(search.ray().origin);
+    if (!(largest_component(absolute(from)) <= farthest_)) {
+        for (const std::uint32_t object : together_)
+            if (search.test(object)) return;
+    } else {
+        for (const Window& window : lights_[std::size_t(use.light)]) {
+            const Vec3d seen = window.view.from_light(from);
+            const auto cell = window.view.cell(seen);
+            if (!cell) continue;
+            ++search.work().counters.cells;
+            const double distance = window.view.distance(seen);
+            const double beyond = distance + magnitude(distance) * 0x1p-20;
+            if (distance > double(window.covered[std::size_t(cell->y * window.view.cells + cell->x)])) {
+                if constexpr (requires { search.covered(); }) search.covered();
+                return;
+            }
+            for (const CellLists::Entry& entry : window.lists.at(cell->x, cell->y)) {
+                if (double(entry.nearest) > beyond) break;
+                if (search.test(entry.object)) return;
+            }
+            break;
+        }
+    }
+    for (const std::uint32_t object : apart_)
+        if (search.test(object)) return;
+}
+
+extern template class LightExtents<double>;
+
+} // namespace rayscope

@@ -1,0 +1,78 @@
+#pragma once
+// A rectangle on the screen for each object: an eye ray is tested against what its place on the screen may show.
+
+#include "core/extents/cell_lists.hpp"
+#include "core/extents/view_rectangle.hpp"
+#include "core/stage/apart.hpp"
+#include "core/stage/search.hpp"
+#include "core/world/camera.hpp"
+
+namespace rayscope {
+
+/// For eye rays alone: a mirrored ray has no place on the screen. The screen is cut into tiles; each lists the objects
+/// whose rectangle meets it, nearest first, and a ray ends where the next one begins beyond its hit.
+template <Numbers N> class ProjectiveExtents {
+public:
+    static constexpr int tile = 8; ///< pixels along an edge
+
+    ProjectiveExtents(const World<N>& world, const EyeRays& eye_rays, int width, int height);
+
+    /// True for rays through a pixel of the screen.
+    [[nodiscard]] bool knows(const RayUse& use) const {
+        return use.x >= 0 && use.x < width_ && use.y >= 0 && use.y < height_;
+    }
+    template <typename Search> void look(const RayUse& use, Search& search) const;
+
+    [[nodiscard]] const CellLists& lists() const { return lists_; }
+    [[nodiscard]] std::size_t apart() const { return apart_.size(); }
+
+private:
+    int width_, height_;
+    CellLists lists_;
+    std::vector<std::uint32_t> apart_; // tested by every ray
+};
+
+template <Numbers N>
+ProjectiveExtents<N>::ProjectiveExtents(const World<N>& world, const EyeRays& eye_rays, int width, int height)
+    : width_(width), height_(height) {
+    std::vector<std::uint32_t> together;
+    const Reach reach = sort_out(world, apart_, together);
+    const Views<N> views(world, reach.margin(largest_component(absolute(eye_rays.eye()))));
+    const auto frame = [&](const Vec3d& p) { return eye_rays.from_eye(p); };
+    const double scale = 1 / eye_rays.pixel();
+    // To a tile, which is one of the screen's own; a rectangle may reach beyond, and rounding by a part of a pixel.
+    const auto tile_of = [&](double slope, double middle, double away, int size) {
+        const double pixel = slope * scale + middle + away;
+        return int(minimum(maximum(pixel, 0.0), double(size) - 0.5)) / tile;
+    };
+    std::vector<CellLists::Item> items;
+    for (const std::uint32_t id : together) {
+        const auto seen = views.rectangle(world.objects[id], frame);
+        if (!seen) continue;
+        const double rounding = 0x1p-10;
+        const double half_width = 0.5 * width, half_height = 0.5 * height;
+        if (seen->right * scale < -half_width - 1 || seen->left * scale > half_width + 1 ||
+            seen->bottom * scale < -half_height - 1 || seen->top * scale > half_height + 1)
+            continue;
+        items.push_back({tile_of(seen->left, half_width, -rounding, width),
+                         tile_of(seen->top, half_height, -rounding, height),
+                         tile_of(seen->right, half_width, rounding, width),
+                         tile_of(seen->bottom, half_height, rounding, height),
+                         float(seen->nearest * (1 - 0x1p-20)), id});
+    }
+    lists_ = CellLists((width - 1) / tile + 1, (height - 1) / tile + 1, std::move(items));
+}
+
+template <Numbers N>
+template <typename Search>
+void ProjectiveExtents<N>::look(const RayUse& use, Search& search) const {
+    for (const std::uint32_t object : apart_)
+        if (search.test(object)) return;
+    ++search.work().counters.cells;
+    for (const CellLists::Entry& entry : lists_.at(use.x / tile, use.y / tile)) {
+        if (ScalarOf<N>(entry.nearest) > search.reach()) break;
+        if (search.test(entry.object)) return;
+    }
+}
+
+} // namespace rayscope

@@ -1,0 +1,53 @@
+#include "core/tracer/stage_set.hpp"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+namespace rayscope {
+namespace {
+
+// Measured: up to so many objects a ray tests them all sooner than it walks through anything.
+constexpr std::size_t few = 12;
+
+} // namespace
+
+StageSet::StageSet(const World<double>& world, const StageChoice& choice, const std::optional<Screen>& screen)
+    : StageBase<double, StageSet>(world), choice_(choice) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (choice_.eye == StageKind::projective && !screen) choice_.eye = choice_.other;
+    for (const StageKind kind : {choice_.eye, choice_.shadow, choice_.other}) build(kind, screen);
+    build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void StageSet::build(StageKind kind, const std::optional<Screen>& screen) {
+    const auto once = [&]<typename Stage>(std::unique_ptr<Stage>& stage) {
+        if (!stage) stage = std::make_unique<Stage>(world_);
+    };
+    switch (kind) {
+    case StageKind::scan: once(scan_); break;
+    case StageKind::extents: once(extents_); break;
+    case StageKind::light: once(light_); break;
+    case StageKind::octree: once(octree_); break;
+    case StageKind::bvh: once(bvh_); break;
+    case StageKind::projective:
+        projective_ = std::make_unique<ProjectiveExtents<double>>(world_, screen->eye_rays, screen->width,
+                                                                  screen->height);
+        break;
+    }
+}
+
+BestChoice best_choice(const World<double>& world) {
+    const std::size_t count = world.objects.size();
+    if (count <= few)
+        return {rungs.front().choice,
+                fmt::format("{} objects: to test all of them is quicker than to look for those that matter",
+                            count)};
+    return {{StageKind::projective, StageKind::light, StageKind::bvh},
+            fmt::format(
+                "{} objects: the screen and each light list what they see in every direction; mirrored and "
+                "refracted rays walk through boxes",
+                count)};
+}
+
+} // namespace rayscope
