@@ -22,7 +22,7 @@ public:
 
     explicit Bvh(const World<N>& world);
 
-    template <typename Search> void look(const RayUse&, Search& search) const;
+    template <typename Search> [[gnu::noinline]] void look(const RayUse&, Search& search) const;
 
     [[nodiscard]] const BvhStatistics& statistics() const { return statistics_; }
 

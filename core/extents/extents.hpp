@@ -17,7 +17,7 @@ public:
         for (const Object& object : world.objects) apart_.push_back(stands_apart(world, object));
     }
 
-    template <typename Search> void look(const RayUse& /*use*/, Search& search) const {
+    template <typename Search> [[gnu::noinline]] void look(const RayUse& /*use*/, Search& search) const {
         Counters& counters = search.work().counters;
         for (std::uint32_t id = 0; id < this->world_.objects.size(); ++id) {
             ++counters.boxes;

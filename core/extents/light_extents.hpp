@@ -16,7 +16,7 @@ template <Numbers N> class LightExtents {
 public:
     explicit LightExtents(const World<N>& world);
 
-    template <typename Search> void look(const RayUse& use, Search& search) const;
+    template <typename Search> [[gnu::noinline]] void look(const RayUse& use, Search& search) const;
 
     [[nodiscard]] std::size_t entries() const;
     [[nodiscard]] std::size_t bytes() const;

@@ -21,7 +21,7 @@ public:
     [[nodiscard]] bool knows(const RayUse& use) const {
         return use.x >= 0 && use.x < width_ && use.y >= 0 && use.y < height_;
     }
-    template <typename Search> void look(const RayUse& use, Search& search) const;
+    template <typename Search> [[gnu::noinline]] void look(const RayUse& use, Search& search) const;
 
     [[nodiscard]] const CellLists& lists() const { return lists_; }
     [[nodiscard]] std::size_t apart() const { return apart_.size(); }

@@ -12,7 +12,7 @@ public:
 
     explicit Scan(const World<N>& world);
 
-    template <typename Search> void look(const RayUse&, Search& search) const;
+    template <typename Search> [[gnu::noinline]] void look(const RayUse&, Search& search) const;
 
 private:
     Balls<N> balls_;

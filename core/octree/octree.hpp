@@ -18,7 +18,7 @@ public:
 
     explicit Octree(const World<N>& world, const OctreeLimits& limits = {});
 
-    template <typename Search> void look(const RayUse&, Search& search) const;
+    template <typename Search> [[gnu::noinline]] void look(const RayUse&, Search& search) const;
 
     [[nodiscard]] const OctreeStatistics& statistics() const { return statistics_; }
     [[nodiscard]] const Box<T>& bounds() const { return bounds_; }
@@ -85,46 +85,47 @@ bool Octree<N>::walk(Search& search, const SlabRay<T>& slabs) const {
     const BallRay<T> ball_ray(search.ray());
     const Vec3<T>& inverse = slabs.inverse();
     std::array<Step, 7 * OctreeLimits::deepest + 8> stack;
-    int top = 0;
     // Seen in the direction of the ray: where it runs down an axis the halves change places.
-    unsigned mirror = 0;
-    Step root{0, {}, {}};
-    Vec3<T> margin;
-    for (int axis = 0; axis < 3; ++axis) {
-        const T a = (bounds_.low[axis] - slabs.margin() - slabs.origin()[axis]) * inverse[axis];
-        const T b = (bounds_.high[axis] + slabs.margin() - slabs.origin()[axis]) * inverse[axis];
-        if (inverse[axis] < T(0)) mirror |= 1U << axis;
-        root.near[axis] = minimum(a, b);
-        root.far[axis] = maximum(a, b);
-        margin[axis] = slabs.margin() * magnitude(inverse[axis]);
-    }
+    const auto planes = [&](T low, T high, T origin, T per_length) {
+        const T a = (low - slabs.margin() - origin) * per_length,
+                b = (high + slabs.margin() - origin) * per_length;
+        return std::pair{minimum(a, b), maximum(a, b)};
+    };
+    const auto [x0, x1] = planes(bounds_.low.x, bounds_.high.x, slabs.origin().x, inverse.x);
+    const auto [y0, y1] = planes(bounds_.low.y, bounds_.high.y, slabs.origin().y, inverse.y);
+    const auto [z0, z1] = planes(bounds_.low.z, bounds_.high.z, slabs.origin().z, inverse.z);
+    const unsigned mirror =
+        unsigned(inverse.x < T(0)) | unsigned(inverse.y < T(0)) << 1U | unsigned(inverse.z < T(0)) << 2U;
+    const Vec3<T> margin = slabs.margin() * absolute(inverse);
     const auto enter = [](const Step& s) { return maximum(maximum(s.near.x, s.near.y), s.near.z); };
     const auto exit = [](const Step& s) { return minimum(minimum(s.far.x, s.far.y), s.far.z); };
-    const auto counts = [&](T from, T to) { return from <= to && to >= T(0) && from <= search.reach(); };
-    if (!counts(enter(root), exit(root))) return false;
-    stack[std::size_t(top++)] = root;
+    stack[0] = {0, {x0, y0, z0}, {x1, y1, z1}};
+    std::size_t top = enter(stack[0]) <= exit(stack[0]) && exit(stack[0]) >= T(0) ? 1 : 0;
+    T reach = search.reach();
     while (top > 0) {
-        const Step step = stack[std::size_t(--top)];
-        if (!(enter(step) <= search.reach())) continue;
+        const Step step = stack[--top];
+        if (!(enter(step) <= reach)) continue;
         const Node& node = nodes_[step.node];
         if (node.leaf) {
             ++search.work().counters.cells;
             if (visit(search, leaves_[node.first], ball_ray)) return true;
+            reach = search.reach();
             continue;
         }
         ++search.work().counters.nodes;
         const Vec3<T> middle = (step.near + step.far) / T(2);
         const Vec3<T> to_middle = middle + margin, from_middle = middle - margin;
-        for (unsigned i = 8; i-- > 0;) { // the nearest is pushed last
+        // The part of each half that counts, axis by axis; then the eight parts, the nearest pushed last.
+        const std::array<T, 2> xs{step.near.x, from_middle.x}, xe{to_middle.x, step.far.x};
+        const std::array<T, 2> ys{step.near.y, from_middle.y}, ye{to_middle.y, step.far.y};
+        const std::array<T, 2> zs{maximum(step.near.z, T(0)), maximum(from_middle.z, T(0))},
+            ze{minimum(to_middle.z, reach), minimum(step.far.z, reach)};
+        for (unsigned i = 8; i-- > 0;) {
             const unsigned child = i ^ mirror;
             if ((node.occupied >> child & 1U) == 0) continue;
-            Step next{node.first + child, step.near, step.far};
-            for (int axis = 0; axis < 3; ++axis)
-                if ((i >> axis & 1U) != 0)
-                    next.near[axis] = from_middle[axis];
-                else
-                    next.far[axis] = to_middle[axis];
-            if (counts(enter(next), exit(next))) stack[std::size_t(top++)] = next;
+            const std::size_t x = i & 1U, y = i >> 1U & 1U, z = i >> 2U;
+            if (maximum(maximum(xs[x], ys[y]), zs[z]) <= minimum(minimum(xe[x], ye[y]), ze[z]))
+                stack[top++] = {node.first + child, {xs[x], ys[y], zs[z]}, {xe[x], ye[y], ze[z]}};
         }
     }
     return false;

@@ -5,6 +5,7 @@
 #include "core/world/world.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 namespace rayscope {
@@ -74,23 +75,29 @@ public:
     /// @return the ball after the one that ended it, or `last`
     template <typename OnHit>
     std::size_t each_met(const BallRay<T>& ray, std::size_t first, std::size_t last, const OnHit& hit) const {
-        constexpr std::size_t block = 8 * lanes;
-        std::array<T, block> squared;
-        for (; first < last; first += block) {
-            const std::size_t count = std::min(block, last - first);
-            const T *cx = &x_[first], *cy = &y_[first], *cz = &z_[first], *radius = &radius_[first];
-            for (std::size_t i = 0; i < count; ++i)
-                squared[i] = Sphere<N>::Chord::of(ray.x - cx[i], ray.y - cy[i], ray.z - cz[i], ray.dx, ray.dy,
-                                                  ray.dz, ray.dd, ray.inverse_dd, radius[i])
-                                 .squared;
-            for (std::size_t i = 0; i < count; ++i)
-                if (squared[i] > T(0)) [[unlikely]]
-                    if (hit(object_[first + i])) return first + i + 1;
-        }
+        for (; first < last; first += lanes)
+            for (unsigned met = met_of(ray, first); met != 0; met &= met - 1) {
+                const auto i = std::size_t(std::countr_zero(met));
+                if (hit(object_[first + i])) return first + i + 1;
+            }
         return last;
     }
 
 private:
+    // Bit i: the ray's line meets ball first + i. A function of its own, small enough for the compiler to make vector
+    // instructions of it.
+    [[gnu::noinline]] unsigned met_of(const BallRay<T>& ray, std::size_t first) const {
+        const T *cx = &x_[first], *cy = &y_[first], *cz = &z_[first], *radius = &radius_[first];
+        std::array<T, lanes> squared;
+        for (std::size_t i = 0; i < lanes; ++i)
+            squared[i] = Sphere<N>::Chord::of(ray.x - cx[i], ray.y - cy[i], ray.z - cz[i], ray.dx, ray.dy,
+                                              ray.dz, ray.dd, ray.inverse_dd, radius[i])
+                             .squared;
+        unsigned met = 0;
+        for (std::size_t i = 0; i < lanes; ++i) met |= unsigned(squared[i] > T(0)) << i;
+        return met;
+    }
+
     std::vector<T> x_, y_, z_, radius_;
     std::vector<std::uint32_t> object_;
 };

@@ -42,7 +42,7 @@ public:
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
 
 private:
-    void test(std::uint32_t object, const LeavingSurface<T>* start) {
+    [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray_, range_, start, recorder_);
         if (const auto first = first_of_object(world_, object, ray_, range_, start, work_))
             nearest_.offer(*first);
@@ -92,7 +92,7 @@ public:
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
 
 private:
-    void test(std::uint32_t object, const LeavingSurface<T>* start) {
+    [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled) record_object(world_, object, ray_, range_, start, recorder_);
         if (!world_.material_of(object).transmits()) {
             blocked_ = first_of_object(world_, object, ray_, range_, start, work_).has_value();
