@@ -14,7 +14,7 @@ namespace {
 /// The options as texts: they are checked after all of them are known. An empty one was given, and is wrong.
 struct Texts {
     using Text = std::optional<std::string>;
-    Text scene, pixel, ray, digits, png, size, output, threads, statistics, why;
+    Text scene, pixel, ray, digits, png, size, output, threads, statistics, why, compare;
     Text configurations, target_error, runs, reference_rays;
     bool no_png = false, cases = false;
 };
@@ -46,8 +46,13 @@ CLI::App_p make_step(Texts& texts) {
     add_text(command, "--size", texts.size, "WxH", "size of the picture (1280x720)");
     add_text(command, "--why", texts.why, "NAME",
              "only why each ray did not end on this drawn object; no picture without --png");
+    add_text(
+        command, "--compare", texts.compare, "LIST",
+        "only where the same ray with other numbers or limits, such as float,textbook, first goes another "
+        "way; no picture");
     command.footer("On a terminal it then asks what to show next; `help` there lists the commands.\n\n"
-                   "Example:\n  rayscope step glass_bowl --pixel 235,250 --digits 4\n");
+                   "Example:\n  rayscope step glass_bowl --pixel 235,250 --digits 4\n"
+                   "  rayscope step far_tiny_sphere --compare float,textbook\n");
     return made;
 }
 
@@ -149,6 +154,12 @@ StepOptions step_options(const Texts& texts) {
     if (texts.png) options.picture = *texts.png;
     if (texts.size) options.size = parse_size(*texts.size);
     options.why = texts.why;
+    options.compare = texts.compare;
+    if (texts.compare && texts.why) throw UsageError("--compare and --why exclude each other");
+    if (texts.compare && texts.png)
+        throw UsageError("--compare draws no picture: --png has no meaning with it");
+    if (texts.compare && texts.size)
+        throw UsageError("--compare draws no picture: --size has no meaning with it");
     return options;
 }
 

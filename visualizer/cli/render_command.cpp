@@ -1,6 +1,7 @@
 // rayscope render: a scene's image.
 
 #include "visualizer/cli/commands.hpp"
+#include "visualizer/cli/compare_text.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/interrupts.hpp"
 #include "visualizer/cli/output_check.hpp"
@@ -10,7 +11,6 @@
 #include "visualizer/cli/warnings.hpp"
 
 #include <cstdio>
-#include <stdexcept>
 
 namespace rayscope::cli {
 namespace {
@@ -20,19 +20,11 @@ void check_arguments(const RenderCommandOptions& options) {
     if (options.statistics) check_output("--stats", *options.statistics, {".json"});
 }
 
-Configuration chosen_configuration(const std::string& text, const Configuration& base) {
-    try {
-        return configuration(text, base);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(std::string("--config: ") + error.what());
-    }
-}
-
 } // namespace
 
 int render(const RenderCommandOptions& options) {
     check_arguments(options);
-    if (options.configuration) (void)chosen_configuration(*options.configuration, {});
+    if (options.configuration) (void)chosen_configuration("--config", *options.configuration, {});
     RenderReport report;
     const std::filesystem::path path = find_scene(options.scene);
     report.scene = path.string();
@@ -44,8 +36,8 @@ int render(const RenderCommandOptions& options) {
     print_warnings(scene);
     const Stopwatch building;
     const Configuration own = own_configuration(scene);
-    const auto trace =
-        renderer(scene, options.configuration ? chosen_configuration(*options.configuration, own) : own);
+    const auto trace = renderer(
+        scene, options.configuration ? chosen_configuration("--config", *options.configuration, own) : own);
     report.build = building.elapsed();
 
     RenderOptions tracing;
