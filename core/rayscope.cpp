@@ -49,7 +49,8 @@ Trace named(const Workbench& bench, const Configuration& configuration, Recordin
 }
 
 Trace traced(const Workbench& bench, const Ray<double>& ray, TraceSource source) {
-    return named(bench, {{}, bench.world.max_depth, bench.world.min_weight}, recorded(bench.world, ray), std::move(source));
+    return named(bench, {{}, bench.world.max_depth, bench.world.min_weight}, recorded(bench.world, ray),
+                 std::move(source));
 }
 
 Trace traced(const Workbench& bench, const Configuration& configuration, const Ray<double>& ray,

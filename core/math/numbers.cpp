@@ -25,7 +25,7 @@ std::optional<Method> method_named(std::string_view name) { return named<Method>
 Precision precision_of(ScalarType scalar) {
     return with_numbers({scalar, Method::stable}, []<Numbers N>() -> Precision {
         Precision precision{double(epsilon<ScalarOf<N>>)};
-        if constexpr (std::same_as<N, float>) precision.least = std::numeric_limits<float>::min();
+        if constexpr (std::same_as<N, float>) precision.least = double(std::numeric_limits<float>::min());
         return precision;
     });
 }
