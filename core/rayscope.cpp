@@ -17,21 +17,63 @@
 namespace rayscope {
 namespace {
 
-Trace traced(const Workbench& bench, const Ray<double>& ray, TraceSource source) {
-    const double scale = ordinary_scale(ray.direction);
-    Recording recording = record(bench.world, {ray.origin, ray.direction * scale});
+template <Numbers N> World<N> world_of(const Scene& scene, const Configuration& configuration) {
+    World<N> world = build<N>(scene);
+    world.max_depth = configuration.max_depth;
+    world.min_weight = configuration.min_weight;
+    return world;
+}
+
+// The ray in the world's numbers, whatever the length of its direction; ids are the world's.
+template <Numbers N> Recording recorded(const World<N>& world, const Ray<double>& ray) {
+    const double scale = ordinary_scale<ScalarOf<N>>(ray.direction);
+    Recording recording = record(world, {ray.origin, ray.direction * scale});
     if (scale != 1) rescale(recording.rays.front(), scale);
+    return recording;
+}
+
+// Objects and solids have the same ids in every World of a scene: any of them can name what was recorded.
+Trace named(const Workbench& bench, const Configuration& configuration, Recording recording,
+            TraceSource source) {
     Trace trace;
     trace.source = std::move(source);
     trace.source.scene = bench.scene.file;
-    trace.max_depth = bench.world.max_depth;
-    trace.min_weight = bench.world.min_weight;
+    trace.max_depth = configuration.max_depth;
+    trace.min_weight = configuration.min_weight;
     trace.eye = bench.scene.camera.eye;
     trace.rays = std::move(recording.rays);
     trace.colour = recording.colour;
     trace.events_dropped = recording.events_dropped;
     name_trace(trace, bench.scene, bench.world);
     return trace;
+}
+
+Trace traced(const Workbench& bench, const Ray<double>& ray, TraceSource source) {
+    return named(bench, {{}, bench.world.max_depth, bench.world.min_weight}, recorded(bench.world, ray),
+                 std::move(source));
+}
+
+Trace traced(const Workbench& bench, const Configuration& configuration, const Ray<double>& ray,
+             TraceSource source) {
+    Recording recording = with_numbers(configuration.numbers, [&]<Numbers N>() {
+        return recorded(world_of<N>(bench.scene, configuration), ray);
+    });
+    return named(bench, configuration, std::move(recording), std::move(source));
+}
+
+std::pair<Ray<double>, TraceSource> through_pixel(const Camera& camera, int x, int y, int width, int height) {
+    const EyeRays eye_rays(camera, width > 0 ? width : camera.width, height > 0 ? height : camera.height);
+    TraceSource source;
+    source.x = x;
+    source.y = y;
+    return {eye_rays.through(x + 0.5, y + 0.5), std::move(source)};
+}
+
+TraceSource by_hand(const Ray<double>& ray) {
+    TraceSource source;
+    source.by_hand = true;
+    source.given_length = length(ray.direction);
+    return source;
 }
 
 } // namespace
@@ -58,9 +100,7 @@ std::function<RenderResult(const RenderOptions&)> renderer(const Scene& scene,
                                                            const Configuration& configuration) {
     return with_numbers(configuration.numbers,
                         [&]<Numbers N>() -> std::function<RenderResult(const RenderOptions&)> {
-                            const auto world = std::make_shared<World<N>>(build<N>(scene));
-                            world->max_depth = configuration.max_depth;
-                            world->min_weight = configuration.min_weight;
+                            const auto world = std::make_shared<World<N>>(world_of<N>(scene, configuration));
                             return [world, camera = scene.camera](const RenderOptions& options) {
                                 return render(*world, camera, options);
                             };
@@ -77,19 +117,20 @@ std::string content_hash(const std::filesystem::path& path) {
 }
 
 Trace trace_pixel(const Workbench& bench, int x, int y, int width, int height) {
-    const Camera& camera = bench.scene.camera;
-    const EyeRays eye_rays(camera, width > 0 ? width : camera.width, height > 0 ? height : camera.height);
-    TraceSource source;
-    source.x = x;
-    source.y = y;
-    return traced(bench, eye_rays.through(x + 0.5, y + 0.5), std::move(source));
+    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height);
+    return traced(bench, ray, std::move(source));
 }
 
-Trace trace_ray(const Workbench& bench, const Ray<double>& ray) {
-    TraceSource source;
-    source.by_hand = true;
-    source.given_length = length(ray.direction);
-    return traced(bench, ray, std::move(source));
+Trace trace_ray(const Workbench& bench, const Ray<double>& ray) { return traced(bench, ray, by_hand(ray)); }
+
+Trace trace_pixel(const Workbench& bench, const Configuration& configuration, int x, int y, int width,
+                  int height) {
+    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height);
+    return traced(bench, configuration, ray, std::move(source));
+}
+
+Trace trace_ray(const Workbench& bench, const Configuration& configuration, const Ray<double>& ray) {
+    return traced(bench, configuration, ray, by_hand(ray));
 }
 
 WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std::size_t object) {

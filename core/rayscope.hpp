@@ -18,6 +18,7 @@
 #include "core/scene/scene.hpp"
 #include "core/scene/wording.hpp"
 #include "core/shading/phong.hpp"
+#include "core/trace/divergence.hpp"
 #include "core/trace/trace.hpp"
 #include "core/trace/trace_json.hpp"
 #include "core/tracer/render.hpp"
@@ -60,6 +61,12 @@ struct Workbench {
 
 /// A ray given by hand. Its direction need not be unit.
 [[nodiscard]] Trace trace_ray(const Workbench& bench, const Ray<double>& ray);
+
+/// The same rays in the numbers and with the limits of a configuration; what is recorded is double all the same.
+[[nodiscard]] Trace trace_pixel(const Workbench& bench, const Configuration& configuration, int x, int y,
+                                int width = 0, int height = 0);
+[[nodiscard]] Trace trace_ray(const Workbench& bench, const Configuration& configuration,
+                              const Ray<double>& ray);
 
 /// Why ray number `ray` of a trace of this workbench did not end on a drawn object (an index into Scene::drawn).
 [[nodiscard]] WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std::size_t object);

@@ -51,14 +51,18 @@ Sum sum(const std::vector<FamilyScores>& families, std::size_t k) {
     return result;
 }
 
+Score total(const Sum& column) {
+    Score score{column.decidable, column.wrong, column.off};
+    if (!column.lost.empty()) score.digits_lost = std::ranges::max(column.lost);
+    return score;
+}
+
 Cells sums(const std::vector<FamilyScores>& families) {
     Cells result{"all: wrong, worst", std::to_string(sum(families, 0).decidable),
                  std::to_string(sum(families, 2).decidable)};
     for (const std::size_t k : columns) {
         const Sum column = sum(families, k);
-        Score total{column.decidable, column.wrong, column.off};
-        if (!column.lost.empty()) total.digits_lost = std::ranges::max(column.lost);
-        result.push_back(cell(total));
+        result.push_back(cell(total(column)));
     }
     return result;
 }
@@ -68,6 +72,18 @@ std::string row_text(const Cells& row) {
     std::string line = fmt::format("{:<22}{:>5}{:>5}", row[0], row[1], row[2]);
     for (std::size_t i = 3; i < row.size(); ++i) line += fmt::format("{:>{}}", row[i], i % 2 == 1 ? 11 : 9);
     return line + "\n";
+}
+
+bool tells_something(const FamilyScores& row) {
+    return std::ranges::any_of(row.scores, [](const std::optional<Score>& score) {
+        return score && (score->wrong > 0 || score->digits_lost >= 1);
+    });
+}
+
+std::string short_cell(const std::optional<Score>& score) {
+    if (!score || score->decidable == 0) return "–";
+    const std::string lost = std::isnan(score->digits_lost) ? "–" : fmt::format("{:.0f}", score->digits_lost);
+    return fmt::format("{} / {}", score->wrong, lost);
 }
 
 } // namespace
@@ -119,6 +135,34 @@ std::string scores_markdown(const std::vector<FamilyScores>& families) {
     };
     for (const FamilyScores& row : families) add(cells(row));
     add(sums(families));
+    return text;
+}
+
+std::string scores_digest(const std::vector<FamilyScores>& families) {
+    std::string text = "| family | cases: float, others |";
+    for (const std::size_t k : columns)
+        text +=
+            fmt::format(" {} {} |", scalar_name(all_numbers[k].scalar), method_name(all_numbers[k].method));
+    text += "\n| --- | --: |";
+    for (std::size_t k = 0; k < columns.size(); ++k) text += " --: |";
+    text += "\n";
+    std::size_t left_out = 0;
+    for (const FamilyScores& row : families) {
+        if (!tells_something(row)) {
+            ++left_out;
+            continue;
+        }
+        text += fmt::format("| {} | {}, {} |", row.family, decidable(row, ScalarType::float32),
+                            decidable(row, ScalarType::float64));
+        for (const std::size_t k : columns) text += " " + short_cell(row.scores[k]) + " |";
+        text += "\n";
+    }
+    text += fmt::format("| **all {} families** | {}, {} |", families.size(), sum(families, 0).decidable,
+                        sum(families, 2).decidable);
+    for (const std::size_t k : columns) text += " **" + short_cell(total(sum(families, k))) + "** |";
+    text += fmt::format(
+        "\n\nThe other {} families have no wrong count and lose less than a digit in any column.\n",
+        left_out);
     return text;
 }
 

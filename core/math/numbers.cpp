@@ -22,4 +22,12 @@ std::string_view method_name(Method method) { return methods[std::size_t(method)
 std::optional<ScalarType> scalar_named(std::string_view name) { return named<ScalarType>(scalars, name); }
 std::optional<Method> method_named(std::string_view name) { return named<Method>(methods, name); }
 
+Precision precision_of(ScalarType scalar) {
+    return with_numbers({scalar, Method::stable}, []<Numbers N>() -> Precision {
+        Precision precision{double(epsilon<ScalarOf<N>>)};
+        if constexpr (std::same_as<N, float>) precision.least = double(std::numeric_limits<float>::min());
+        return precision;
+    });
+}
+
 } // namespace rayscope

@@ -86,4 +86,11 @@ template <typename Visit> decltype(auto) with_numbers(NumbersChoice choice, cons
 [[nodiscard]] std::optional<ScalarType> scalar_named(std::string_view name);
 [[nodiscard]] std::optional<Method> method_named(std::string_view name);
 
+/// How finely a type's numbers are made; in doubles, the types that reach farther as far as doubles go.
+struct Precision {
+    double epsilon = rayscope::epsilon<double>;
+    double least = std::numeric_limits<double>::min(); ///< below it digits run out
+};
+[[nodiscard]] Precision precision_of(ScalarType scalar);
+
 } // namespace rayscope

@@ -21,7 +21,7 @@ run() {
 
 # A checkout in a folder with a blank in its name; the stand-ins note their calls in $work/calls.
 project="$work/a project"
-mkdir -p "$project/core" "$project/visualizer" "$work/bin"
+mkdir -p "$project/core" "$project/visualizer" "$project/bench" "$work/bin"
 cp "$launcher" "$project/rayscope"
 touch "$project/CMakeLists.txt" "$project/CMakePresets.json"
 stand_in() {
@@ -41,8 +41,10 @@ while (($# > 0)); do
         --build) folder=$2
             if [[ -n ${BROKEN-} ]]; then echo "an error of the compiler"; exit 1; fi
             mkdir -p "$folder/bin"
-            printf "#!/usr/bin/env bash\npwd\nprintf \"<%%s>\" \"\$@\"\nexit 7\n" >"$folder/bin/rayscope"
-            chmod +x "$folder/bin/rayscope" ;;
+            for program in rayscope rayscope-bench; do
+                printf "#!/usr/bin/env bash\npwd\nprintf \"<%%s>\" \"\$@\"\nexit 7\n" >"$folder/bin/$program"
+                chmod +x "$folder/bin/$program"
+            done ;;
     esac
     shift
 done'
@@ -93,6 +95,24 @@ run "$project/rayscope" help step
 expect 7 '<step><--help>' 'help COMMAND asks the program'
 if (($(calls 'cmake --build') <= builds)); then
     echo 'FAILED: a newer source is built'
+    failures=$((failures + 1))
+fi
+
+builds=$(calls 'cmake --build')
+run "$project/rayscope" bench accuracy -o 'a b.json'
+expect 7 '<accuracy><-o><a b.json>$' 'bench runs a program of its own'
+run "$project/rayscope" bench
+run "$project/rayscope" help bench
+expect 7 '<--help>$' 'help bench asks it'
+if [[ $(calls 'cmake --build') != $((builds + 1)) || $(calls 'cmake --build .* --target bench/program/all') != 1 ]]; then
+    echo 'FAILED: bench is built once, and nothing else'
+    failures=$((failures + 1))
+fi
+sleep 0.02
+touch "$project/bench/new.cpp"
+run "$project/rayscope" bench
+if [[ $(calls 'cmake --build') != $((builds + 2)) ]]; then
+    echo 'FAILED: a newer benchmark is built'
     failures=$((failures + 1))
 fi
 

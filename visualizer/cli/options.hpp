@@ -28,6 +28,8 @@ struct StepOptions {
     bool picture_asked_for = false, no_picture = false;
     std::optional<Size> size;       ///< of the picture
     std::optional<std::string> why; ///< the drawn object of which to tell only why the rays did not end on it
+    std::optional<std::string>
+        compare; ///< the configuration, as rayscope::configuration reads it, to compare with
 };
 
 struct TraceOptions {

@@ -1,6 +1,7 @@
 // rayscope render: a scene's image.
 
 #include "visualizer/cli/commands.hpp"
+#include "visualizer/cli/compare_text.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/interrupts.hpp"
 #include "visualizer/cli/output_check.hpp"
@@ -10,7 +11,6 @@
 #include "visualizer/cli/warnings.hpp"
 
 #include <cstdio>
-#include <stdexcept>
 
 namespace rayscope::cli {
 namespace {
@@ -18,14 +18,6 @@ namespace {
 void check_arguments(const RenderCommandOptions& options) {
     check_output("-o", options.output, {".png", ".pfm", ".exr"});
     if (options.statistics) check_output("--stats", *options.statistics, {".json"});
-}
-
-Configuration chosen_configuration(const std::string& text, const Configuration& base) {
-    try {
-        return configuration(text, base);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(std::string("--config: ") + error.what());
-    }
 }
 
 std::optional<StageChoice> chosen_stage(const std::optional<std::string>& text) {
@@ -41,7 +33,7 @@ std::optional<StageChoice> chosen_stage(const std::optional<std::string>& text) 
 
 int render(const RenderCommandOptions& options) {
     check_arguments(options);
-    if (options.configuration) (void)chosen_configuration(*options.configuration, {});
+    if (options.configuration) (void)chosen_configuration("--config", *options.configuration, {});
     const std::optional<StageChoice> stage = chosen_stage(options.stage);
     RenderReport report;
     const std::filesystem::path path = find_scene(options.scene);
@@ -55,7 +47,7 @@ int render(const RenderCommandOptions& options) {
     const Stopwatch building;
     const Configuration own = own_configuration(scene);
     const Configuration chosen =
-        options.configuration ? chosen_configuration(*options.configuration, own) : own;
+        options.configuration ? chosen_configuration("--config", *options.configuration, own) : own;
     if (stage && *stage != StageChoice{} && chosen.numbers != NumbersChoice{})
         throw UsageError("--stage: other numbers than double stable scan; expected scan with this --config");
     const auto trace = renderer(scene, chosen);

@@ -1,5 +1,6 @@
 #include "visualizer/cli/session.hpp"
 
+#include "visualizer/cli/compare_text.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/line_input.hpp"
 #include "visualizer/cli/why_text.hpp"
@@ -17,7 +18,7 @@ struct Command {
     std::string_view name, letter, help;
 };
 
-constexpr std::array<Command, 12> commands{{
+constexpr std::array<Command, 13> commands{{
     {"next", "n", "the next ray, in the order of spawning"},
     {"in", "i", "the first ray that this one spawned"},
     {"over", "o", "the next ray that the same parent spawned; after the last one: out"},
@@ -27,6 +28,8 @@ constexpr std::array<Command, 12> commands{{
     {"tree", "t", "the recursion, this ray marked"},
     {"ray", "r", "this ray again"},
     {"why", "y", "why NAME: why this ray did not end on the drawn object of that name"},
+    {"compare", "m",
+     "compare LIST: where the first ray with other numbers, such as float,textbook, parts from this run"},
     {"colour", "c", "the colour of the whole, and where it comes from"},
     {"help", "h", "this list"},
     {"quit", "q", "end (or Ctrl-D)"},
@@ -58,7 +61,8 @@ bool is_number(const std::string& text) {
 
 void Session::run() {
     LineInput input;
-    std::fputs("\nnext, in, over, out, back, goto N, tree, ray, why NAME, colour, help, quit\n", stdout);
+    std::fputs("\nnext, in, over, out, back, goto N, tree, ray, why NAME, compare LIST, colour, help, quit\n",
+               stdout);
     while (!ended_) {
         std::fputs("\n", stdout);
         const auto line = input.read(prompt());
@@ -90,7 +94,7 @@ std::string Session::answer(const std::string& line) {
         for (const Command& known : commands) names.push_back(known.name);
         return "unknown command " + in_quotes(word) + did_you_mean(word, names) + "; help lists them\n";
     }
-    if (!argument.empty() && command->name != "goto" && command->name != "why")
+    if (!argument.empty() && command->name != "goto" && command->name != "why" && command->name != "compare")
         return std::string(command->name) + " takes nothing after it\n";
     last_ = argument.empty() ? std::string(command->name) : std::string(command->name) + " " + argument;
     return perform(std::string(command->name), argument);
@@ -107,6 +111,7 @@ std::string Session::perform(const std::string& command, const std::string& argu
     if (command == "ray") return ray_text(trace_, current_, style_);
     if (command == "colour") return result_text(trace_, style_);
     if (command == "why") return why(argument);
+    if (command == "compare") return compare(argument);
     if (command == "help") return help();
     ended_ = true;
     return "";
@@ -165,6 +170,16 @@ std::string Session::why(const std::string& argument) const {
         return page.text();
     } catch (const UsageError& error) {
         return "why: " + std::string(error.what()) + "\n";
+    }
+}
+
+std::string Session::compare(const std::string& argument) const {
+    try {
+        const Configuration other =
+            chosen_configuration("compare", argument, own_configuration(bench_.scene));
+        return compare_text(bench_, trace_, other, style_);
+    } catch (const UsageError& error) {
+        return std::string(error.what()) + "\n";
     }
 }
 

@@ -34,6 +34,7 @@ private:
     [[nodiscard]] std::string back();
     [[nodiscard]] std::string go_to(const std::string& argument);
     [[nodiscard]] std::string why(const std::string& argument) const;
+    [[nodiscard]] std::string compare(const std::string& argument) const;
     [[nodiscard]] std::string help() const;
 
     const Workbench& bench_;

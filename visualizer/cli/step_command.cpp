@@ -1,6 +1,7 @@
 // rayscope step: one ray's recursion as text, a picture, and on a terminal a conversation.
 
 #include "visualizer/cli/commands.hpp"
+#include "visualizer/cli/compare_text.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/output_check.hpp"
 #include "visualizer/cli/picture_process.hpp"
@@ -17,13 +18,14 @@
 namespace rayscope::cli {
 namespace {
 
-std::string title(const Trace& trace, const StepStyle& style) {
+std::string title(const Trace& trace, const StepStyle& style, bool comparing) {
     const TraceSource& source = trace.source;
     const std::string ray =
         source.by_hand ? "a ray given by hand"
                        : "pixel (" + std::to_string(source.x) + "," + glue + std::to_string(source.y) + ")";
     Page page(style.paint);
     page.line(style.paint.bold(harmless(source.scene)) + ", " + ray);
+    if (comparing) return page.text();
     page.line("max_depth" + std::string(glue) + std::to_string(trace.max_depth) + ", min_weight" + glue +
               style.number(trace.min_weight) + "; a colour given as one number is a grey");
     page.gap();
@@ -62,6 +64,7 @@ int step(const StepOptions& options) {
         check_output("--png", options.picture, {".png"});
         if (!can_draw()) throw std::runtime_error(how_to_draw());
     }
+    if (options.compare) (void)chosen_configuration("--compare", *options.compare, {});
     const Workbench bench = open(find_scene(options.choice.scene));
     print_warnings(bench.scene);
     std::optional<std::size_t> asked_for;
@@ -75,7 +78,13 @@ int step(const StepOptions& options) {
         if (options.picture_asked_for) add_picture(trace, options);
         return done;
     }
-    print(title(trace, style) + tree_text(trace, style));
+    if (options.compare) {
+        const Configuration other =
+            chosen_configuration("--compare", *options.compare, own_configuration(bench.scene));
+        print(title(trace, style, true) + compare_text(bench, trace, other, style));
+        return done;
+    }
+    print(title(trace, style, false) + tree_text(trace, style));
     if (interactive) {
         print(ray_text(trace, 0, style));
     } else {

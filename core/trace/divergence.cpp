@@ -1,0 +1,287 @@
+#include "core/trace/divergence.hpp"
+
+#include "core/trace/explained.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+namespace rayscope {
+namespace {
+
+template <typename E> std::vector<const E*> all(const TracedRay& ray) {
+    std::vector<const E*> list;
+    for (const Event& event : ray.events)
+        if (const E* found = std::get_if<E>(&event)) list.push_back(found);
+    return list;
+}
+
+template <typename E> bool has(const TracedRay& ray) { return ray.find<E>() != nullptr; }
+
+int child_of(const Trace& trace, const TracedRay& ray, RayKind kind, Id light = none) {
+    for (const int child : ray.children) {
+        const RaySpawned& start = trace.rays[std::size_t(child)].start();
+        if (start.kind == kind && start.light == light) return child;
+    }
+    return none;
+}
+
+/// Why none of this kind follows; nothing if one does, or should.
+std::optional<Reason> refusal(const TracedRay& ray, RayKind kind) {
+    for (const NotSpawned* refused : all<NotSpawned>(ray))
+        if (refused->kind == kind) return refused->reason;
+    return std::nullopt;
+}
+
+/// A shadow ray that met something opaque asked no further: of other objects nothing is known.
+bool stopped_early(const TracedRay& ray) {
+    const auto* end = ray.find<RayFinished>();
+    return ray.start().kind == RayKind::shadow && end != nullptr && end->colour == Colour{0};
+}
+
+/// The largest component of |a − b|; NaN if one is, which largest_component() would pass over.
+double distance(const Vec3d& a, const Vec3d& b) {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double d = magnitude(a[i] - b[i]);
+        if (std::isnan(d)) return d;
+        largest = maximum(largest, d);
+    }
+    return largest;
+}
+
+using Counts = std::map<Id, int>;                                // spans of each node
+using Inside = std::vector<std::pair<std::string_view, Counts>>; // of each object, as they were tested
+
+Inside inside_of(const Trace& trace, const TracedRay& ray) {
+    Inside inside;
+    for (const NodeEvaluated* event : all<NodeEvaluated>(ray)) {
+        const std::string_view name = trace.objects[std::size_t(event->object)].name;
+        auto at = std::ranges::find(inside, name, &Inside::value_type::first);
+        if (at == inside.end()) at = inside.insert(at, {name, {}});
+        at->second[event->node] = event->count;
+    }
+    return inside;
+}
+
+class Walk {
+public:
+    Walk(const Trace& a, const Trace& b, Precision of_a, Precision of_b)
+        : a_(a), b_(b), of_a_(of_a), of_b_(of_b), epsilon_(std::max(of_a.epsilon, of_b.epsilon)) {}
+
+    Comparison compared() {
+        (void)ray(0);
+        return std::move(result_);
+    }
+
+private:
+    // Each part answers whether the walk goes on.
+
+    bool ray(int index) {
+        if (std::size_t(index) >= b_.rays.size()) return result_.complete = false;
+        const TracedRay &a = a_.rays[std::size_t(index)], &b = b_.rays[std::size_t(index)];
+        index_ = index;
+        ++result_.rays;
+        if (!complete(a) || !complete(b) || !start(a, b) || !spans(a, b)) return false;
+        if (a.start().kind == RayKind::shadow) return visibility(a, b);
+        if (!hit(a, b)) return false;
+        if (has<Missed>(a)) return true;
+        const Drift drift = drift_at_hit(a, b);
+        return local_light(index, drift) && total(a, b) && follow(index, RayKind::reflected, drift) &&
+               follow(index, RayKind::refracted, drift);
+    }
+
+    bool start(const TracedRay& a, const TracedRay& b) {
+        const RaySpawned &p = a.start(), &q = b.start();
+        if (medium(a_, p.medium) != medium(b_, q.medium)) return differs({Answer::media, index_});
+        if (p.weight != q.weight) {
+            Difference weights{Answer::weight, index_};
+            weights.first = p.weight;
+            weights.second = q.weight;
+            weights.is_vector = true;
+            return differs(std::move(weights));
+        }
+        if (index_ == 0) // given in doubles, and rounded once
+            return numbers(Answer::origin, p.origin, q.origin, epsilon_ * length(p.origin)) &&
+                   numbers(Answer::direction, p.direction, q.direction, epsilon_ * length(p.direction));
+        if (p.kind != RayKind::shadow) return true; // its direction was its parent's answer
+        Drift drift;
+        drift.point = length(p.origin - q.origin);
+        return numbers(Answer::direction, p.direction, q.direction,
+                       explained_to_light(a_.lights[std::size_t(p.light)], p.origin, drift, epsilon_),
+                       RayKind::shadow);
+    }
+
+    bool spans(const TracedRay& a, const TracedRay& b) {
+        const Inside in_a = inside_of(a_, a), in_b = inside_of(b_, b);
+        const auto agree = [&](const Inside& here, const Inside& there, bool swapped, bool all_there) {
+            for (const auto& [name, counts] : here) {
+                const auto found = std::ranges::find(there, name, &Inside::value_type::first);
+                if (found == there.end() && !all_there) continue;
+                for (const auto& [node, count] : counts) {
+                    // What the line misses is not recorded.
+                    const auto other = found == there.end() ? counts.end() : found->second.find(node);
+                    const bool known = found != there.end() && other != found->second.end();
+                    const int there_count = known ? other->second : 0;
+                    if (count == there_count) continue;
+                    Difference d{Answer::spans, index_};
+                    d.object = name;
+                    d.node = node;
+                    d.first.x = swapped ? there_count : count;
+                    d.second.x = swapped ? count : there_count;
+                    return differs(std::move(d));
+                }
+            }
+            return true;
+        };
+        return agree(in_a, in_b, false, !stopped_early(b)) && agree(in_b, in_a, true, !stopped_early(a));
+    }
+
+    bool visibility(const TracedRay& a, const TracedRay& b) {
+        const Colour seen_a = a.find<RayFinished>()->colour, seen_b = b.find<RayFinished>()->colour;
+        // A product for each boundary, in doubles; rounding may have turned their order.
+        const double rounded = double(all<BlockerPassed>(a).size()) * epsilon<double>;
+        return numbers(Answer::visibility, seen_a, seen_b, seen_b == Colour{0} ? 0 : rounded);
+    }
+
+    bool hit(const TracedRay& a, const TracedRay& b) {
+        if (has<Missed>(a) != has<Missed>(b)) return differs({Answer::hit, index_});
+        if (has<Missed>(a)) return true;
+        const BoundaryChosen &p = *a.find<BoundaryChosen>(), &q = *b.find<BoundaryChosen>();
+        const auto object = [](const Trace& trace, Id id) { return trace.objects[std::size_t(id)].name; };
+        if (object(a_, p.object) != object(b_, q.object)) return differs({Answer::object, index_});
+        const auto surface = [](const Trace& trace, const Boundary& at) {
+            return std::tuple(at.leaf == none ? "" : trace.generics[std::size_t(at.leaf)], at.face,
+                              at.flipped);
+        };
+        if (surface(a_, p.boundary) != surface(b_, q.boundary)) return differs({Answer::face, index_});
+        if (p.entering != q.entering) return differs({Answer::side, index_});
+        if (medium(a_, p.medium_from) != medium(b_, q.medium_from) ||
+            medium(a_, p.medium_to) != medium(b_, q.medium_to))
+            return differs({Answer::media, index_});
+        const Drift drift = drift_of(a.start(), b.start());
+        Difference t{Answer::t, index_};
+        t.first.x = p.boundary.t;
+        t.second.x = q.boundary.t;
+        t.bounds = bounds_of_t(p, q, of_a_.epsilon, of_b_.epsilon);
+        t.explained = explained_t(p, a.start(), drift, t.bounds);
+        return judged(std::move(t), magnitude(p.boundary.t)) &&
+               numbers(Answer::normal, p.normal, q.normal, infinity<double>);
+    }
+
+    [[nodiscard]] static Drift drift_at_hit(const TracedRay& a, const TracedRay& b) {
+        Drift drift = drift_of(a.start(), b.start());
+        const BoundaryChosen &p = *a.find<BoundaryChosen>(), &q = *b.find<BoundaryChosen>();
+        drift.normal = length(p.normal - q.normal);
+        drift.point = length(p.point - q.point);
+        return drift;
+    }
+
+    bool local_light(int index, const Drift& drift) {
+        const TracedRay &a = a_.rays[std::size_t(index)], &b = b_.rays[std::size_t(index)];
+        if (has<LocalLightSkipped>(a) != has<LocalLightSkipped>(b))
+            return differs({Answer::local_light, index});
+        const auto in_a = all<LightLit>(a), in_b = all<LightLit>(b);
+        for (std::size_t i = 0; i < std::min(in_a.size(), in_b.size()); ++i) {
+            const LightLit &p = *in_a[i], &q = *in_b[i];
+            const int ray_a = child_of(a_, a, RayKind::shadow, p.light);
+            const int ray_b = child_of(b_, b, RayKind::shadow, p.light);
+            Difference asked{Answer::shadow_ray, index};
+            asked.light = p.light;
+            if ((ray_a == none) != (ray_b == none)) return differs(std::move(asked));
+            if (ray_a != none && !ray(ray_a)) return false;
+            index_ = index;
+            const double turned = drift.normal + length(p.to_light - q.to_light);
+            if (!number(Answer::cosine, p.cosine, q.cosine, turned + 4 * epsilon_, p.light) ||
+                !number(Answer::mirror_cosine, p.mirror_cosine, q.mirror_cosine,
+                        drift.turn + 4 * turned + 8 * epsilon_, p.light))
+                return false;
+        }
+        return true;
+    }
+
+    bool total(const TracedRay& a, const TracedRay& b) {
+        return has<TotallyReflected>(a) == has<TotallyReflected>(b) || differs({Answer::total, index_});
+    }
+
+    bool follow(int index, RayKind kind, const Drift& drift) {
+        const TracedRay &a = a_.rays[std::size_t(index)], &b = b_.rays[std::size_t(index)];
+        if (refusal(a, kind) != refusal(b, kind)) {
+            Difference d{Answer::followed, index};
+            d.next = kind;
+            return differs(std::move(d));
+        }
+        const int next_a = child_of(a_, a, kind), next_b = child_of(b_, b, kind);
+        if (next_a == none && next_b == none) return true;
+        if (next_a == none || next_b == none) return result_.complete = false;
+        double explained = 0;
+        if (const auto* bent = a.find<Refracted>(); kind == RayKind::refracted)
+            explained = explained_bent(*bent, drift, epsilon_);
+        else
+            explained = explained_mirrored(drift, epsilon_);
+        const Vec3d to_a = a_.rays[std::size_t(next_a)].start().direction;
+        const Vec3d to_b = b_.rays[std::size_t(next_b)].start().direction;
+        if (!numbers(Answer::direction, to_a, to_b, explained, kind) || !ray(next_a)) return false;
+        index_ = index;
+        return true;
+    }
+
+    [[nodiscard]] static std::string_view medium(const Trace& trace, Id id) {
+        return id == none ? std::string_view() : trace.media[std::size_t(id)].name;
+    }
+
+    // Beyond the cap on events nothing is known.
+    bool complete(const TracedRay& ray) {
+        const bool answered =
+            ray.start().kind == RayKind::shadow || has<Missed>(ray) || has<BoundaryChosen>(ray);
+        return result_.complete = answered && has<RayFinished>(ray) && !has<Truncated>(ray);
+    }
+
+    bool differs(Difference found) {
+        found.size = distance(found.first, found.second);
+        result_.divergence = std::move(found);
+        return false;
+    }
+
+    bool numbers(Answer answer, const Vec3d& a, const Vec3d& b, double explained, RayKind of = RayKind::eye) {
+        Difference d{answer, index_, of};
+        d.first = a;
+        d.second = b;
+        d.is_vector = true;
+        d.explained = explained;
+        return judged(std::move(d), largest_component(absolute(a)));
+    }
+
+    // A cosine is rounded as its terms are, whose size is 1.
+    bool number(Answer answer, double a, double b, double explained, Id light) {
+        Difference d{answer, index_, RayKind::eye, light};
+        d.first.x = a;
+        d.second.x = b;
+        d.explained = explained;
+        return judged(std::move(d), 1);
+    }
+
+    bool judged(Difference d, double size) {
+        const Precision& narrower = of_a_.epsilon < of_b_.epsilon ? of_b_ : of_a_;
+        d.size = distance(d.first, d.second);
+        d.ulps = in_ulps(d.size, size, narrower);
+        if (!(d.size <= d.explained + narrower.least)) return differs(std::move(d));
+        if (!result_.largest || d.ulps > result_.largest->ulps) result_.largest = std::move(d);
+        return true;
+    }
+
+    const Trace &a_, &b_;
+    Precision of_a_, of_b_;
+    double epsilon_;
+    int index_ = 0; // of the ray that is compared
+    Comparison result_;
+};
+
+} // namespace
+
+Comparison compare(const Trace& first, const Trace& second, Precision of_first, Precision of_second) {
+    return Walk(first, second, of_first, of_second).compared();
+}
+
+} // namespace rayscope

@@ -1,0 +1,103 @@
+#include "visualizer/cli/option_texts.hpp"
+
+namespace rayscope::cli {
+namespace {
+
+void add_text(CLI::App& command, const char* name, Texts::Text& text, const char* value,
+              const std::string& help) {
+    command.add_option_function<std::string>(
+               name, [&text](const std::string& given) { text = given; }, help)
+        ->type_name(value)
+        ->take_last(); // a second one is refused below, in words of this program
+}
+
+void add_ray_options(CLI::App& command, Texts& texts) {
+    add_text(command, "SCENE", texts.scene, "", std::string(scene_help) + "; without it the glass bowl");
+    add_text(command, "--pixel", texts.pixel, "X,Y",
+             "the pixel to trace; without it the scene's own, or its middle");
+    add_text(command, "--ray", texts.ray, "ox,oy,oz,dx,dy,dz", "a ray instead: origin and direction");
+}
+
+CLI::App_p make_step(Texts& texts) {
+    auto made = std::make_shared<CLI::App>("walk through one ray's recursion, decision by decision", "step");
+    CLI::App& command = *made;
+    add_ray_options(command, texts);
+    add_text(command, "--digits", texts.digits, "N", "significant digits of numbers, 1 to 17 (6)");
+    add_text(command, "--png", texts.png, "FILE", "the picture's file (rayscope-step.png)");
+    command.add_flag("--no-png", texts.no_png, "text only");
+    add_text(command, "--size", texts.size, "WxH", "size of the picture (1280x720)");
+    add_text(command, "--why", texts.why, "NAME",
+             "only why each ray did not end on this drawn object; no picture without --png");
+    add_text(
+        command, "--compare", texts.compare, "LIST",
+        "only where the same ray with other numbers or limits, such as float,textbook, first goes another "
+        "way; no picture");
+    command.footer("On a terminal it then asks what to show next; `help` there lists the commands.\n\n"
+                   "Example:\n  rayscope step glass_bowl --pixel 235,250 --digits 4\n"
+                   "  rayscope step far_tiny_sphere --compare float,textbook\n");
+    return made;
+}
+
+CLI::App_p make_trace(Texts& texts) {
+    auto made = std::make_shared<CLI::App>("write everything that one ray did to a file", "trace");
+    CLI::App& command = *made;
+    add_ray_options(command, texts);
+    add_text(command, "-o", texts.output, "FILE", "the file: .json, or .vtm for ParaView");
+    command.footer("Example:\n  rayscope trace glass_bowl --ray 0,0.2,5,0,0,-1 -o ray.json\n");
+    return made;
+}
+
+CLI::App_p make_render(Texts& texts) {
+    auto made = std::make_shared<CLI::App>("make the image of a scene", "render");
+    CLI::App& command = *made;
+    add_text(command, "SCENE", texts.scene, "", scene_help);
+    add_text(command, "-o", texts.output, "FILE", "the image: .png (sRGB), .pfm or .exr (linear, float)");
+    add_text(command, "--size", texts.size, "WxH", "its size, instead of the scene's");
+    add_text(command, "--threads", texts.threads, "N",
+             "how many work at it, instead of one for each processor");
+    add_text(command, "--config", texts.configurations, "LIST",
+             "other numbers or limits than the scene's, such as float,textbook,depth=3");
+    add_text(command, "--stage", texts.stage, "NAME",
+             "how hits are found: best, scan, extents, projective, light, octree, bvh, or one for each kind "
+             "of ray, "
+             "such as eye=projective,shadow=light,other=octree; the image stays the same, bit for bit");
+    add_text(command, "--stats", texts.statistics, "FILE", "write times and counts to a JSON file");
+    command.footer("Example:\n  rayscope render lens -o lens.png --size 1280x960\n");
+    return made;
+}
+
+CLI::App_p make_accuracy(Texts& texts) {
+    auto made = std::make_shared<CLI::App>("tell what accuracy costs: time against error", "accuracy");
+    CLI::App& command = *made;
+    add_text(command, "SCENE", texts.scene, "", scene_help);
+    command.add_flag(
+        "--cases", texts.cases,
+        "instead of a scene: what each number type gets wrong on the oracle's hard cases, or on those "
+        "of the folder that stands in place of SCENE");
+    add_text(command, "-o", texts.output, "FOLDER", "also write table, chart and error maps to this folder");
+    add_text(command, "--size", texts.size, "WxH",
+             "size of the images (the scene's, its longer side made 96)");
+    add_text(
+        command, "--configs", texts.configurations, "LIST",
+        "what to compare, with slashes between: default, full, an axis (scalar, method, depth, weight), or "
+        "values such as float,textbook,depth=3");
+    add_text(command, "--target-error", texts.target_error, "E",
+             "find the cheapest with at most this relative RMSE, and prove it at the scene's own size");
+    add_text(command, "--runs", texts.runs, "N", "runs of each configuration, 5 to 1000 (5)");
+    add_text(command, "--threads", texts.threads, "N",
+             "how many work at it, instead of one for each processor");
+    add_text(command, "--reference-rays", texts.reference_rays, "N",
+             "rays of the reference for each pixel, 1 to 1000000 (100000)");
+    command.footer("The reference is kept in ~/.cache/rayscope; after Ctrl-C the same command goes on.\n\n"
+                   "Example:\n  rayscope accuracy lens --configs scalar/float,textbook/depth -o cost\n"
+                   "  rayscope accuracy --cases\n");
+    return made;
+}
+
+} // namespace
+
+Commands make_commands(Texts& texts) {
+    return {make_step(texts), make_trace(texts), make_render(texts), make_accuracy(texts)};
+}
+
+} // namespace rayscope::cli
