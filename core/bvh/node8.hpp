@@ -32,7 +32,7 @@ struct alignas(32) Node8 {
 };
 
 /// A ray made ready for them: see SlabRay. Float has few digits, so the margin is wider here:
-/// 2⁻²¹ · (largest coordinate of the origin + 2), where 2 is the size of the tree.
+/// 4 ε · (largest coordinate of the origin + 2), where 2 is the size of the tree.
 class Ray8 {
 public:
     using Floats = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 8>>;
@@ -40,7 +40,7 @@ public:
     /// @param scale a power of two that brings the tree's coordinates below 2
     Ray8(const Ray<double>& ray, double scale, double distortion) : scale_(scale) {
         const double size = largest_component(absolute(ray.origin)) * scale + 2;
-        const double margin = 0x1p-21 * size + 64 * epsilon<double> * distortion * size;
+        const double margin = 4 * double(epsilon<float>) * size + 64 * epsilon<double> * distortion * size;
         reliable_ = size < 0x1p50;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double inverse = 1 / ray.direction[int(axis)], origin = ray.origin[int(axis)] * scale;
@@ -53,7 +53,7 @@ public:
     }
     [[nodiscard]] bool reliable() const { return reliable_; }
     /// t in the tree's units, never rounded down.
-    [[nodiscard]] float reach(double t) const { return float(t * scale_) * (1 + 0x1p-20F); }
+    [[nodiscard]] float reach(double t) const { return float(t * scale_) * (1 + rounding); }
 
     /// Where the ray enters each box, never rounded up; infinite where no hit with 0 ≤ t ≤ reach can lie in it.
     [[nodiscard]] std::array<float, 8> enter(const Node8& node, float reach) const {
@@ -67,13 +67,15 @@ public:
             where(to > enter, enter) = to;
             where(from < exit, exit) = from;
         }
-        where(enter > exit * (1 + 0x1p-20F), enter) = std::numeric_limits<float>::infinity();
+        where(enter > exit * (1 + rounding), enter) = std::numeric_limits<float>::infinity();
         std::array<float, 8> result;
-        (enter * (1 - 0x1p-20F)).copy_to(result.data(), std::experimental::element_aligned);
+        (enter * (1 - rounding)).copy_to(result.data(), std::experimental::element_aligned);
         return result;
     }
 
 private:
+    static constexpr float rounding = 8 * epsilon<float>; // more than the few operations here round
+
     double scale_;
     bool reliable_;
     std::array<bool, 3> down_;

@@ -12,10 +12,6 @@ int cells_for(std::size_t objects) {
     return cells;
 }
 
-// Rounded towards −∞, or +∞, by more than float rounds.
-float below(double x) { return float(x - magnitude(x) * 0x1p-20); }
-float above(double x) { return float(x + magnitude(x) * 0x1p-20); }
-
 } // namespace
 
 template <Numbers N> LightExtents<N>::LightExtents(const World<N>& world) : world_(world) {
@@ -44,8 +40,9 @@ template <Numbers N> auto LightExtents<N>::windows_of(const Light& light) const 
     }
     // The light stands among the objects: the six sides of a cube around it.
     Windows windows;
-    view.left = view.top = -1 - 0x1p-20; // edges overlap
-    view.width = view.height = 2 + 0x1p-19;
+    constexpr double overlap = 8 * double(epsilon<float>); // of neighbouring sides
+    view.left = view.top = -1 - overlap;
+    view.width = view.height = 2 + 2 * overlap;
     view.cells = std::max(16, view.cells / 2);
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
@@ -121,7 +118,7 @@ void LightExtents<N>::cover(Window& window, const Object& object, const CellList
     const LightView& view = window.view;
     const Vec3d centre = view.from_light(as<double>(ball.transform.translation()));
     const double radius = double(std::get<Sphere<N>>(ball.shape).radius);
-    const double surely = radius * (1 - 0x1p-20) - margin_, from_light = view.distance(centre);
+    const double surely = radius * (1 - 8 * double(epsilon<float>))-margin_, from_light = view.distance(centre);
     if (!(surely > 0) || (!view.parallel && from_light <= radius + margin_)) return;
     const auto hides = [&](double column, double row) {
         const double x = view.left + column * view.width / view.cells,

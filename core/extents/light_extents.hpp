@@ -57,7 +57,7 @@ void LightExtents<N>::look(const RayUse& use, Search& search) const {
             if (!cell) continue;
             ++search.work().counters.cells;
             const double distance = window.view.distance(seen);
-            const double beyond = distance + magnitude(distance) * 0x1p-20;
+            const double beyond = double(above(distance));
             if (distance > double(window.covered[std::size_t(cell->y * window.view.cells + cell->x)])) {
                 if constexpr (requires { search.covered(); }) search.covered();
                 return;

@@ -57,8 +57,7 @@ ProjectiveExtents<N>::ProjectiveExtents(const World<N>& world, const EyeRays& ey
         items.push_back({tile_of(seen->left, half_width, -rounding, width),
                          tile_of(seen->top, half_height, -rounding, height),
                          tile_of(seen->right, half_width, rounding, width),
-                         tile_of(seen->bottom, half_height, rounding, height),
-                         float(seen->nearest * (1 - 0x1p-20)), id});
+                         tile_of(seen->bottom, half_height, rounding, height), below(seen->nearest), id});
     }
     lists_ = CellLists((width - 1) / tile + 1, (height - 1) / tile + 1, std::move(items));
 }

@@ -25,6 +25,13 @@ struct ViewRectangle {
     }
 };
 
+/// In float, rounded towards −∞, or +∞, by more than float rounds.
+[[nodiscard]] inline float below(double x) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    return float(minimum(x - magnitude(x) * 8 * double(epsilon<float>), largest));
+}
+[[nodiscard]] inline float above(double x) { return float(x + magnitude(x) * 8 * double(epsilon<float>)); }
+
 /// The slopes a / z between which a ball lies whose centre is (a, z) in the plane of the two: tangents through the eye.
 /// Its radius must be less than z.
 struct Slopes {
@@ -71,7 +78,8 @@ public:
     }
 
 private:
-    static constexpr double slack = 0x1p-30; // relative: far above rounding, far below a pixel
+    static constexpr double slack =
+        0x1p22 * epsilon<double>; // relative: far above rounding, far below a pixel
 
     template <typename Frame>
     [[nodiscard]] std::optional<ViewRectangle> of_ball(const Solid<N>& ball, const Frame& frame) const {

@@ -11,18 +11,18 @@ namespace rayscope {
 
 /// One face of one solid of the world. Exact ties between crossings are told apart by it.
 struct Surface {
-    std::uint32_t solid = 0;
-    std::uint16_t face = 0;
-    bool flipped = false; ///< part of what a compound subtracts: its normal is turned
+    std::uint32_t solid;
+    std::uint16_t face;
+    bool flipped; ///< part of what a compound subtracts: its normal is turned
 
     friend bool operator==(const Surface&, const Surface&) = default;
 };
 
 /// Where a ray passes through a surface. Normal and error bound follow from surface and t when they are needed.
 template <Scalar T> struct Crossing {
-    T t = T(0);
+    T t;
     Surface surface;
-    bool entering = false;
+    bool entering;
 };
 
 /// One inside interval: the ray is inside for enter.t < t < exit.t; the ends may be infinite.

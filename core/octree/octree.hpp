@@ -118,13 +118,14 @@ bool Octree<N>::walk(Search& search, const SlabRay<T>& slabs) const {
         // The part of each half that counts, axis by axis; then the eight parts, the nearest pushed last.
         const std::array<T, 2> xs{step.near.x, from_middle.x}, xe{to_middle.x, step.far.x};
         const std::array<T, 2> ys{step.near.y, from_middle.y}, ye{to_middle.y, step.far.y};
-        const std::array<T, 2> zs{maximum(step.near.z, T(0)), maximum(from_middle.z, T(0))},
-            ze{minimum(to_middle.z, reach), minimum(step.far.z, reach)};
+        const std::array<T, 2> zs{step.near.z, from_middle.z}, ze{to_middle.z, step.far.z};
+        const std::array<T, 2> from{maximum(zs[0], T(0)), maximum(zs[1], T(0))},
+            to{minimum(ze[0], reach), minimum(ze[1], reach)};
         for (unsigned i = 8; i-- > 0;) {
             const unsigned child = i ^ mirror;
             if ((node.occupied >> child & 1U) == 0) continue;
             const std::size_t x = i & 1U, y = i >> 1U & 1U, z = i >> 2U;
-            if (maximum(maximum(xs[x], ys[y]), zs[z]) <= minimum(minimum(xe[x], ye[y]), ze[z]))
+            if (maximum(maximum(xs[x], ys[y]), from[z]) <= minimum(minimum(xe[x], ye[y]), to[z]))
                 stack[top++] = {node.first + child, {xs[x], ys[y], zs[z]}, {xe[x], ye[y], ze[z]}};
         }
     }

@@ -13,12 +13,11 @@ namespace rayscope {
 
 /// The nearest crossing of a ray.
 template <Scalar T> struct Hit {
-    T t = infinity<T>;
-    std::uint32_t object = 0;
+    T t;
+    std::uint32_t object;
     Surface surface;
-    bool entering = false;
-    bool crowded =
-        false; ///< operands of the compound meet nearby: whose surface it is, is to be asked (see owner)
+    bool entering;
+    bool crowded; ///< operands of the compound meet nearby: whose surface it is, is to be asked (see owner)
 
     /// Least t; on a tie the object that is first in the file.
     [[nodiscard]] bool precedes(const Hit& other) const {
@@ -28,11 +27,11 @@ template <Scalar T> struct Hit {
 
 /// A surface on which a secondary ray starts.
 template <Scalar T> struct LeavingSurface {
-    std::uint32_t object = 0;
+    std::uint32_t object;
     Surface surface;
-    bool starts_inside = false; ///< the side of the object on which the ray starts
-    bool crosses = false;       ///< it leads through the surface at once: the crossing at t = 0 counts
-    T bound = T(0);             ///< how far the start may lie from the surface: world length
+    bool starts_inside; ///< the side of the object on which the ray starts
+    bool crosses;       ///< it leads through the surface at once: the crossing at t = 0 counts
+    T bound;            ///< how far the start may lie from the surface: world length
 
     /// The face, if it is one of this solid's.
     [[nodiscard]] int face_of(std::uint32_t solid) const {
@@ -42,8 +41,17 @@ template <Scalar T> struct LeavingSurface {
 
 /// All of them: the one that was hit, and those of other objects that coincide with it.
 template <Scalar T> struct Leaving {
-    std::array<LeavingSurface<T>, 8> items;
-    int count = 0;
+    std::array<LeavingSurface<T>, 8>
+        items; // the first `count`; the rest is nothing, and not worth setting for each ray
+    int count;
+
+    Leaving() : count(0) {}
+    Leaving(const Leaving& other) : count(other.count) { copy(other); }
+    Leaving& operator=(const Leaving& other) {
+        count = other.count;
+        copy(other);
+        return *this;
+    }
 
     void add(const LeavingSurface<T>& surface) {
         if (count < int(items.size())) items[std::size_t(count++)] = surface;
@@ -55,6 +63,9 @@ template <Scalar T> struct Leaving {
             if (surface.object == object) return &surface;
         return nullptr;
     }
+
+private:
+    void copy(const Leaving& other) { std::copy_n(other.items.begin(), count, items.begin()); }
 };
 
 /// The nearest hit of a ray, and the hits of other objects so close to it that rounding may have chosen between them.
@@ -63,7 +74,11 @@ public:
     /// What is offered is kept if it lies within `margin` of the nearest. The margin is far above the error bounds of
     /// any two crossings that coincide; who reads the list compares those.
     explicit Nearest(const Ray<T>& ray)
-        : absolute_(largest_component(absolute(ray.origin)) * sqrt(epsilon<T>)) {}
+        : count_(0), absolute_(largest_component(absolute(ray.origin)) * sqrt(epsilon<T>)) {}
+    Nearest(const Nearest& other) : count_(other.count_), absolute_(other.absolute_) {
+        std::copy_n(other.hits_.begin(), count_, hits_.begin());
+    }
+    Nearest& operator=(const Nearest&) = delete;
 
     void offer(const Hit<T>& hit) {
         if (count_ == 0) {
@@ -103,8 +118,8 @@ private:
         if (hit.precedes(*farthest)) *farthest = hit;
     }
 
-    std::array<Hit<T>, 8> hits_;
-    int count_ = 0;
+    std::array<Hit<T>, 8> hits_; // the first count_
+    int count_;
     T absolute_;
 };
 
