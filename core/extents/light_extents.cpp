@@ -19,10 +19,11 @@ template <Numbers N> LightExtents<N>::LightExtents(const World<N>& world) : worl
     farthest_ = 1024 * reach_.size();
     margin_ = reach_.margin(farthest_);
     for (const Light& light : world.lights)
-        lights_.push_back(together_.empty() ? Windows{} : windows_of(light));
+        lights_.push_back(together_.empty() ? LightsView{} : view_of(light));
 }
 
-template <Numbers N> auto LightExtents<N>::windows_of(const Light& light) const -> Windows {
+template <Numbers N> auto LightExtents<N>::view_of(const Light& light) const -> LightsView {
+    LightsView result;
     LightView view;
     view.parallel = light.directional;
     view.position = light.position;
@@ -31,15 +32,16 @@ template <Numbers N> auto LightExtents<N>::windows_of(const Light& light) const 
     const Vec3d towards = light.directional ? -light.position : middle - light.position;
     if (length(towards) > 0) {
         view.look(towards);
-        const Rectangles seen = rectangles(view);
-        if (fit(view, seen)) {
-            Windows windows;
-            windows.push_back(window(view, seen));
-            return windows;
+        Rectangles seen = rectangles(view);
+        const bool all_before = std::ranges::all_of(seen, [](const auto& r) { return r.has_value(); });
+        if (all_before) result.aside = set_aside(seen);
+        if (all_before && fit(view, seen)) {
+            result.windows.push_back(window(view, seen));
+            return result;
         }
+        result.aside.clear();
     }
     // The light stands among the objects: the six sides of a cube around it.
-    Windows windows;
     constexpr double overlap = 8 * double(epsilon<float>); // of neighbouring sides
     view.left = view.top = -1 - overlap;
     view.width = view.height = 2 + 2 * overlap;
@@ -49,9 +51,9 @@ template <Numbers N> auto LightExtents<N>::windows_of(const Light& light) const 
             Vec3d direction{0};
             direction[axis] = side;
             view.look(direction);
-            windows.push_back(window(view, rectangles(view)));
+            result.windows.push_back(window(view, rectangles(view)));
         }
-    return windows;
+    return result;
 }
 
 template <Numbers N> auto LightExtents<N>::rectangles(const LightView& view) const -> Rectangles {
@@ -66,11 +68,46 @@ template <Numbers N> auto LightExtents<N>::rectangles(const LightView& view) con
     return result;
 }
 
+// A floor under everything would be given most of the cells: it, and a few others like it, are tested by every shadow ray
+// instead. They are taken out of the rectangles.
+template <Numbers N> std::vector<std::uint32_t> LightExtents<N>::set_aside(Rectangles& rectangles) const {
+    constexpr std::size_t most = 4;
+    constexpr double much = 4; // times the area of all others
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < rectangles.size(); ++i)
+        if (rectangles[i]) order.push_back(i);
+    const auto area = [](const ViewRectangle& r) { return (r.right - r.left) * (r.bottom - r.top); };
+    const std::size_t large = std::min(most, order.size());
+    std::partial_sort(
+        order.begin(), order.begin() + std::ptrdiff_t(large), order.end(),
+        [&](std::size_t a, std::size_t b) { return area(*rectangles[a]) > area(*rectangles[b]); });
+    ViewRectangle rest;
+    const auto include = [&](const ViewRectangle& r) {
+        rest.include(r.left, r.top);
+        rest.include(r.right, r.bottom);
+    };
+    for (std::size_t i = large; i < order.size(); ++i) include(*rectangles[order[i]]);
+    std::vector<std::uint32_t> aside;
+    for (std::size_t i = large; i-- > 0;) { // from the smallest of the large ones on
+        const ViewRectangle before = rest;
+        include(*rectangles[order[i]]);
+        if (i + 1 == large && large == order.size()) continue;
+        if (!(area(rest) > much * area(before))) continue;
+        for (std::size_t k = 0; k <= i; ++k) {
+            aside.push_back(together_[order[k]]);
+            rectangles[order[k]].reset();
+        }
+        break;
+    }
+    return aside;
+}
+
 // One window for all objects, where they lie in front of the light.
 template <Numbers N> bool LightExtents<N>::fit(LightView& view, const Rectangles& rectangles) const {
     ViewRectangle all;
     for (const auto& seen : rectangles) {
-        if (!seen) return false;
+        if (!seen) continue;                               // set aside
+        if (seen->left == -infinity<double>) return false; // it reaches the light's plane
         all.include(seen->left, seen->top);
         all.include(seen->right, seen->bottom);
     }
@@ -118,7 +155,8 @@ void LightExtents<N>::cover(Window& window, const Object& object, const CellList
     const LightView& view = window.view;
     const Vec3d centre = view.from_light(as<double>(ball.transform.translation()));
     const double radius = double(std::get<Sphere<N>>(ball.shape).radius);
-    const double surely = radius * (1 - 8 * double(epsilon<float>))-margin_, from_light = view.distance(centre);
+    const double surely = radius * (1 - 8 * double(epsilon<float>)) - margin_,
+                 from_light = view.distance(centre);
     if (!(surely > 0) || (!view.parallel && from_light <= radius + margin_)) return;
     const auto hides = [&](double column, double row) {
         const double x = view.left + column * view.width / view.cells,
@@ -141,15 +179,15 @@ void LightExtents<N>::cover(Window& window, const Object& object, const CellList
 
 template <Numbers N> std::size_t LightExtents<N>::entries() const {
     std::size_t sum = 0;
-    for (const Windows& windows : lights_)
-        for (const Window& window : windows) sum += window.lists.size();
+    for (const LightsView& view : lights_)
+        for (const Window& window : view.windows) sum += window.lists.size();
     return sum;
 }
 
 template <Numbers N> std::size_t LightExtents<N>::bytes() const {
     std::size_t sum = 0;
-    for (const Windows& windows : lights_)
-        for (const Window& window : windows)
+    for (const LightsView& view : lights_)
+        for (const Window& window : view.windows)
             sum += window.lists.bytes() + window.covered.capacity() * sizeof(float);
     return sum;
 }

@@ -27,11 +27,16 @@ private:
         CellLists lists;
         std::vector<float> covered; ///< by cell: the distance from which on all is dark
     };
-    using Windows = std::vector<Window>;
+    struct LightsView {
+        std::vector<Window> windows;
+        std::vector<std::uint32_t>
+            aside; ///< so large that a window for them would have no cells left for the others
+    };
     using Rectangles = std::vector<std::optional<ViewRectangle>>; // of the objects together_
 
-    [[nodiscard]] Windows windows_of(const Light& light) const;
+    [[nodiscard]] LightsView view_of(const Light& light) const;
     [[nodiscard]] Rectangles rectangles(const LightView& view) const;
+    [[nodiscard]] std::vector<std::uint32_t> set_aside(Rectangles& rectangles) const;
     [[nodiscard]] bool fit(LightView& view, const Rectangles& rectangles) const;
     [[nodiscard]] Window window(const LightView& view, const Rectangles& rectangles) const;
     void cover(Window& window, const Object& object, const CellLists::Item& item) const;
@@ -40,7 +45,7 @@ private:
     std::vector<std::uint32_t> apart_, together_;
     Reach reach_;
     double farthest_ = 0, margin_ = 0; // where rays may start; by how much objects are larger for it
-    std::vector<Windows> lights_;
+    std::vector<LightsView> lights_;
 };
 
 template <Numbers N>
@@ -51,7 +56,8 @@ void LightExtents<N>::look(const RayUse& use, Search& search) const {
         for (const std::uint32_t object : together_)
             if (search.test(object)) return;
     } else {
-        for (const Window& window : lights_[std::size_t(use.light)]) {
+        const LightsView& light = lights_[std::size_t(use.light)];
+        for (const Window& window : light.windows) {
             const Vec3d seen = window.view.from_light(from);
             const auto cell = window.view.cell(seen);
             if (!cell) continue;
@@ -68,6 +74,8 @@ void LightExtents<N>::look(const RayUse& use, Search& search) const {
             }
             break;
         }
+        for (const std::uint32_t object : light.aside)
+            if (search.test(object)) return;
     }
     for (const std::uint32_t object : apart_)
         if (search.test(object)) return;

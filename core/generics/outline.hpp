@@ -29,7 +29,7 @@ public:
         Corner corner = seen(vertex);
         corner.above = corner.y > T(0);
         if constexpr (has_wider)
-            if (!(magnitude(corner.y) > corner.error)) corner.above = wider().seen(as<Wider>(vertex)).y > 0;
+            if (!(magnitude(corner.y) > corner.error)) corner.above = is_above_in_wider(vertex);
         return corner;
     }
 
@@ -40,12 +40,7 @@ public:
         if constexpr (has_wider) {
             const auto reach = [](const Corner& c) { return magnitude(c.x) + magnitude(c.y) + c.error; };
             const T error = a.error * reach(b) + b.error * reach(a) + T(2) * epsilon<T> * magnitude(side);
-            if (!(magnitude(side) > error)) {
-                const auto view = wider();
-                const auto wa = view.seen(as<Wider>(*a.vertex)), wb = view.seen(as<Wider>(*b.vertex));
-                const Wider exact = difference_of_products(wa.x, wb.y, wb.x, wa.y);
-                return b.above ? exact > Wider(0) : exact < Wider(0);
-            }
+            if (!(magnitude(side) > error)) return crosses_in_wider(a, b);
         }
         return b.above ? side > T(0) : side < T(0);
     }
@@ -55,7 +50,17 @@ private:
 
     using Wider = std::conditional_t<std::is_same_v<T, float>, double, Float128>;
     static constexpr bool has_wider = !std::is_same_v<T, Wider>;
-    [[nodiscard]] OutlineView<Wider> wider() const { return OutlineView<Wider>(as<Wider>(ray_)); }
+
+    // Functions of their own, lest the compiler makes the ray wider before it is needed.
+    [[nodiscard, gnu::noinline, gnu::cold]] bool is_above_in_wider(const Vec3<T>& vertex) const {
+        return OutlineView<Wider>(as<Wider>(ray_)).seen(as<Wider>(vertex)).y > Wider(0);
+    }
+    [[nodiscard, gnu::noinline, gnu::cold]] bool crosses_in_wider(const Corner& a, const Corner& b) const {
+        const OutlineView<Wider> view(as<Wider>(ray_));
+        const auto wa = view.seen(as<Wider>(*a.vertex)), wb = view.seen(as<Wider>(*b.vertex));
+        const Wider side = difference_of_products(wa.x, wb.y, wb.x, wa.y);
+        return b.above ? side > Wider(0) : side < Wider(0);
+    }
 
     [[nodiscard]] int x() const { return (z_ + 1) % 3; }
     [[nodiscard]] int y() const { return (z_ + 2) % 3; }
