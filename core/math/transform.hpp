@@ -19,6 +19,13 @@ public:
     Transform() = default;
     /// @param matrix affine, last row (0 0 0 1), invertible (see is_invertible).
     explicit Transform(const Mat4d& matrix);
+    /// By a translation alone.
+    [[nodiscard]] static Transform moving(const Vec3d& offset) {
+        Transform result;
+        result.translation_ = as<T>(offset);
+        if constexpr (is_textbook<N>) result.column_ = -result.translation_;
+        return result;
+    }
 
     [[nodiscard]] Ray<T> to_object(const Ray<T>& ray) const {
         return {point_to_object(ray.origin), apply(ray.direction)};

@@ -55,9 +55,7 @@ template <Numbers N> Solid<N> solid_of(const Placed& placed) {
     const T scale =
         std::holds_alternative<Sphere<double>>(placed.shape) ? similarity_scale<T>(placed.matrix) : T(0);
     if (scale > T(0)) {
-        Mat4d translation{1};
-        translation[3] = placed.matrix[3];
-        solid.transform = Transform<N>(translation);
+        solid.transform = Transform<N>::moving(Vec3d{placed.matrix[3]});
         solid.shape = Sphere<N>{scale};
         solid.is_ball = true;
     } else {
