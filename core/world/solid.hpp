@@ -55,11 +55,10 @@ template <Numbers N> struct Solid {
     }
 
     /// Size of δ above: how far, in object space along the normal, the computed crossing can lie from the surface, times the
-    /// length of the normal.
+    /// length of the normal. At a cone's apex that vanishes: what then moves the form (x² + y² − w²) / 2 is e² / 2.
     [[nodiscard]] T surface_distance(const Ray<T>& ray, T t, const Vec3<T>& normal) const {
-        const Vec3<T> e = transform.point_error(ray, t);
-        const Vec3<T> n = absolute(normal);
-        return T(4) * epsilon<T> * dot(n, e);
+        const Vec3<T> e = T(4) * epsilon<T> * transform.point_error(ray, t);
+        return fma(dot(e, e), T(0.5), dot(absolute(normal), e));
     }
 };
 
