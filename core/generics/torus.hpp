@@ -42,9 +42,17 @@ template <Numbers N> struct Torus {
         const T w = beyond_core_circle(p.x, p.y, rho);
         return sqrt(fma(w, w, p.z * p.z)) - minor;
     }
-    /// At most the larger of the two principal curvatures, times |d|².
-    [[nodiscard]] T curvature(const Vec3<T>& /*p*/, const Vec3<T>& d, int /*face*/) const {
-        return dot(d, d) / minimum(minor, T(1) - minor);
+    /// The normal curvature along d: 1 / minor around the tube, cos θ / ρ around the axis. It may vanish, on the top circle
+    /// and along the asymptotic lines of the inner half; a larger one, such as the principal curvatures' larger, would
+    /// claim that a graze there moves by √(2δ / h), when four roots that nearly meet move by far more.
+    [[nodiscard]] T curvature(const Vec3<T>& p, const Vec3<T>& d, int /*face*/) const {
+        const T rho = sqrt(fma(p.x, p.x, p.y * p.y));
+        if (!(rho > T(0))) return T(0);
+        const T w = beyond_core_circle(p.x, p.y, rho);
+        const T outward = fma(p.x, d.x, p.y * d.y) / rho;
+        const T around_axis = difference_of_products(p.x, d.y, p.y, d.x) / rho;
+        const T around_tube = difference_of_products(w, d.z, p.z, outward) / minor;
+        return magnitude(fma(around_tube, around_tube, around_axis * around_axis * w / rho)) / minor;
     }
     [[nodiscard]] Box<T> bounds() const {
         const T outer = T(1) + minor;
@@ -56,7 +64,8 @@ template <Numbers N> struct Torus {
 private:
     // The ray starts on the torus: of the crossings that run its way (in or out), the nearest one is t = 0 exactly.
     // If rounding has put the start δ beside the surface, that one lies about δ / |n·d| away; at a graze, where a double
-    // root moves by √ε, it may be missing, and no other one is taken for it.
+    // root moves by √ε, it may be missing, and no other one is taken for it: between the start and its crossing the ray
+    // stays as close to the torus as the start does.
     void start_on_surface(const Ray<T>& ray, std::array<T, 4>& roots, int count) const {
         const T speed = length(ray.direction);
         const T slope = dot(normalized(normal(ray.origin, 0)), ray.direction);
@@ -69,7 +78,9 @@ private:
             if (magnitude(root) < reach && (nearest == nullptr || magnitude(root) < magnitude(*nearest)))
                 nearest = &root;
         }
-        if (nearest != nullptr) *nearest = T(0);
+        if (nearest == nullptr) return;
+        const T beside = magnitude(value(ray.at(*nearest / T(2))));
+        if (beside <= fma(T(2), magnitude(value(ray.origin)), T(8) * epsilon<T>)) *nearest = T(0);
     }
 };
 

@@ -52,11 +52,11 @@ template <Numbers N> Solid<N> solid_of(const Placed& placed) {
     solid.object = placed.object;
     solid.material = placed.material;
     solid.reach = T(reach_of(placed));
-    const T scale =
-        std::holds_alternative<Sphere<double>>(placed.shape) ? similarity_scale<T>(placed.matrix) : T(0);
+    const auto* sphere = std::get_if<Sphere<double>>(&placed.shape);
+    const T scale = sphere != nullptr ? similarity_scale<T>(placed.matrix) : T(0);
     if (scale > T(0)) {
         solid.transform = Transform<N>::moving(Vec3d{placed.matrix[3]});
-        solid.shape = Sphere<N>{scale};
+        solid.shape = Sphere<N>{scale * T(sphere->radius)};
         solid.is_ball = true;
     } else {
         solid.transform = Transform<N>(placed.matrix);

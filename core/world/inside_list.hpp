@@ -119,7 +119,9 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] bool is_start(const World<N>& world, const Ray<T>& ray, const Crossing<T>& crossing,
                             const LeavingSurface<T>& leaving) {
     if (world.objects[leaving.object].has_volume && crossing.entering != leaving.starts_inside) return false;
-    return magnitude(crossing.t) <= T(2) * error_bound(world, ray, crossing, leaving.bound);
+    return magnitude(crossing.t) <= T(2) * error_bound(world, ray, crossing, leaving.bound) ||
+           (!is_textbook<N> &&
+            world.solids[crossing.surface.solid].hugs(ray, crossing.t, crossing.surface.face, leaving.bound));
 }
 
 /// The first crossing in the range. Where the ray starts on this object, its start does not count, or, if it leads

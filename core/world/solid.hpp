@@ -42,6 +42,20 @@ template <Numbers N> struct Solid {
     /// @param off the surface may lie this far from where the ray sees it, along its normal: world length
     [[nodiscard]] T error_bound(const Ray<T>& ray, T t, int face, T off = T(0)) const;
 
+    /// Whether the ray, up to t, keeps as close to the face as it may have started beside it: a start that lies so far off
+    /// meets the surface there, however small the bound of a crossing that is no longer a graze.
+    /// @param off how far the start may lie from the surface: world length
+    [[nodiscard]] bool hugs(const Ray<T>& ray, T t, int face, T off) const {
+        const Ray<T> moved = transform.to_object(ray);
+        return std::visit(
+            [&](const auto& s) {
+                const Vec3<T> n = s.normal(moved.origin, face);
+                const T limit = moved_off(n, off) + surface_distance(ray, t, n);
+                return magnitude(s.value(moved.at(t / T(2)))) * length(n) <= T(2) * limit;
+            },
+            shape);
+    }
+
     /// The first crossing with t in the range; the query of the hot path, for solids that are no operands.
     [[nodiscard]] std::optional<Crossing<T>> closest(const Ray<T>& ray, const Range<T>& range,
                                                      std::uint32_t index) const {
@@ -54,12 +68,17 @@ template <Numbers N> struct Solid {
         return std::nullopt;
     }
 
+    /// A world length along a face's normal in object space, times the length of the normal.
+    [[nodiscard]] T moved_off(const Vec3<T>& normal, T off) const {
+        if (!(off > T(0))) return T(0);
+        return off * magnitude(dot(normal, transform.vector_to_object(transform.normal_to_world(normal))));
+    }
+
     /// Size of δ above: how far, in object space along the normal, the computed crossing can lie from the surface, times the
-    /// length of the normal.
+    /// length of the normal. At a cone's apex that vanishes: what then moves the form (x² + y² − w²) / 2 is e² / 2.
     [[nodiscard]] T surface_distance(const Ray<T>& ray, T t, const Vec3<T>& normal) const {
-        const Vec3<T> e = transform.point_error(ray, t);
-        const Vec3<T> n = absolute(normal);
-        return T(4) * epsilon<T> * dot(n, e);
+        const Vec3<T> e = T(4) * epsilon<T> * transform.point_error(ray, t);
+        return fma(dot(e, e), T(0.5), dot(absolute(normal), e));
     }
 };
 
@@ -82,12 +101,10 @@ template <Numbers N> auto Solid<N>::error_bound(const Ray<T>& ray, T t, int face
         [&](const auto& s) {
             // All of it scales with the normal's length, so that it need not be 1.
             const Vec3<T> n = s.normal(p, face);
-            T moved_off = T(0);
-            if (off > T(0))
-                moved_off = off * magnitude(dot(n, transform.vector_to_object(transform.normal_to_world(n))));
             T curvature = s.curvature(p, moved.direction, face);
             if (curvature > T(0)) curvature *= sqrt(dot(n, n));
-            return root_shift(surface_distance(ray, t, n) + moved_off, dot(n, moved.direction), curvature);
+            return root_shift(surface_distance(ray, t, n) + moved_off(n, off), dot(n, moved.direction),
+                              curvature);
         },
         shape);
 }

@@ -105,8 +105,12 @@ TEST(Curvature, is_what_a_small_step_shows) {
     EXPECT_DOUBLE_EQ(Cone<double>{}.curvature({0.5, 0, 0}, {0, 0, 2}, 0), 1 / std::sqrt(0.3125));
     EXPECT_DOUBLE_EQ(OpenCone<double>{}.curvature({0.5, 0, 0}, {0, 1, 0}, 0), 1 / std::sqrt(0.3125));
     EXPECT_EQ(OpenCylinder<double>{}.curvature({1, 0, 0}, {0, 3, 7}, 0), 9);
-    EXPECT_EQ(Torus<double>{0.25}.curvature({}, {2, 0, 0}, 0), 16);
-    EXPECT_DOUBLE_EQ(Torus<double>{0.75}.curvature({}, {1, 0, 0}, 0), 4);
+    const Torus<double> torus{0.25};
+    EXPECT_DOUBLE_EQ(torus.curvature({1.25, 0, 0}, {0, 0, 2}, 0), 16);       // around the tube
+    EXPECT_DOUBLE_EQ(torus.curvature({1.25, 0, 0}, {0, 2, 0}, 0), 4 / 1.25); // around the axis, outside …
+    EXPECT_DOUBLE_EQ(torus.curvature({0, 0.75, 0}, {1, 0, 0}, 0), 1 / 0.75); // … inside, the other way …
+    EXPECT_EQ(torus.curvature({1, 0, 0.25}, {0, 3, 0}, 0), 0);               // … on top not at all
+    EXPECT_NEAR(torus.curvature({0.75, 0, 0}, {0, std::sqrt(3.0), 1}, 0), 0, 1e-15); // an asymptotic line
 }
 
 TEST(Bounds, hold_every_crossing) {
