@@ -28,7 +28,8 @@ double bound_of(const Solid<double>& solid, const Ray<double>& ray, const Leavin
 }
 
 // Does the ray keep as close to the surface, from its start to t, as it may have started beside it? Then a crossing of
-// the start's direction is the start, moved along a graze; and one of the other may be rounding's.
+// the start's direction is the start, moved along a graze; and one of the other may be rounding's. (The core asks in one place whether that is less
+// than twice as far; what is asked in more places may be twice that again.)
 bool hugs(const Solid<double>& solid, const Ray<double>& ray, const LeavingSurface<double>& start, double t) {
     const Ray<double> moved = solid.transform.to_object(ray);
     const Vec3d n =
@@ -36,7 +37,7 @@ bool hugs(const Solid<double>& solid, const Ray<double>& ray, const LeavingSurfa
     const double scale = length(n);
     const double off =
         start.bound * std::abs(dot(n, solid.transform.vector_to_object(solid.transform.normal_to_world(n))));
-    const double limit = 2 * (off + solid.surface_distance(ray, t, n)) / scale;
+    const double limit = 4 * (off + solid.surface_distance(ray, t, n)) / scale;
     constexpr int places = 8;
     for (int i = 1; i <= places; ++i)
         if (std::abs(implicit_value(solid.shape, moved.at(t * i / places))) > limit) return false;
