@@ -61,13 +61,16 @@ struct WideRay {
     return x * x + y * y - w * w;
 }
 
+[[nodiscard]] inline int faces_of(const Generic<double>& shape) {
+    if (std::holds_alternative<Cube<double>>(shape)) return 6;
+    if (std::holds_alternative<Cylinder<double>>(shape) || std::holds_alternative<Cone<double>>(shape))
+        return 3;
+    return 1;
+}
+
 /// Is the point inside, every face asked?
 [[nodiscard]] inline bool exactly_inside(const Generic<double>& shape, const WideVec& p) {
-    int faces = 1;
-    if (std::holds_alternative<Cube<double>>(shape)) faces = 6;
-    if (std::holds_alternative<Cylinder<double>>(shape) || std::holds_alternative<Cone<double>>(shape))
-        faces = 3;
-    for (int face = 0; face < faces; ++face)
+    for (int face = 0; face < faces_of(shape); ++face)
         if (!(face_value(shape, face, p) < 0)) return false;
     return true;
 }
