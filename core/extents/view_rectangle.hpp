@@ -27,7 +27,7 @@ struct ViewRectangle {
 
 /// In float, rounded towards −∞, or +∞, by more than float rounds.
 [[nodiscard]] inline float below(double x) {
-    constexpr double largest = std::numeric_limits<float>::max();
+    constexpr double largest = double(std::numeric_limits<float>::max());
     return float(minimum(x - magnitude(x) * 8 * double(epsilon<float>), largest));
 }
 [[nodiscard]] inline float above(double x) { return float(x + magnitude(x) * 8 * double(epsilon<float>)); }

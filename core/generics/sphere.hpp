@@ -48,7 +48,8 @@ template <Numbers N> struct Sphere {
     struct Chord {
         T squared, middle;
 
-        [[nodiscard, gnu::always_inline]] static Chord of(T ox, T oy, T oz, T dx, T dy, T dz, T dd, T inverse_dd, T radius) {
+        [[nodiscard, gnu::always_inline]] static Chord of(T ox, T oy, T oz, T dx, T dy, T dz, T dd,
+                                                          T inverse_dd, T radius) {
             const T rough = -fma(oz, dz, fma(oy, dy, ox * dx)) * inverse_dd;
             const T qx = fma(rough, dx, ox), qy = fma(rough, dy, oy), qz = fma(rough, dz, oz);
             // Rounding leaves q a little off the closest point: so far, in t.
