@@ -54,15 +54,15 @@ void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
     }
     const BallRay<T> ball_ray(search.ray());
     Counters& counters = search.work().counters;
-    struct Place {
+    struct Ahead {
         std::uint32_t child;
         float enter;
     };
-    std::array<Place, 7 * deepest + 8> stack;
+    std::array<Ahead, 7 * deepest + 8> stack;
     std::size_t top = 0;
     stack[top++] = {0, 0};
     while (top > 0) {
-        const Place place = stack[--top];
+        const Ahead place = stack[--top];
         const float reach = ray.reach(double(search.reach()));
         if (place.enter > reach) continue;
         if ((place.child & Node8::leaf) != 0) {

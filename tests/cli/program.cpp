@@ -41,7 +41,7 @@ constexpr std::chrono::seconds patience{60}; // sanitizers on a busy machine
 int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
 void redirect(int descriptor, const std::filesystem::path& path, int flags) {
-    const int file = open(path.c_str(), flags, 0600);
+    const int file = ::open(path.c_str(), flags, 0600);
     if (file < 0 || dup2(file, descriptor) < 0) _exit(126);
 }
 

@@ -51,7 +51,7 @@ Fault fault_in_first_hit(const LineCase& exact, const std::vector<MatchedEnd>& e
     const auto bounds = candidates(ends, required);
     if (!hit) return required ? Fault{"the traced ray misses"} : Fault{};
     for (const ExactBound* bound : bounds)
-        if (bound->t.distance(hit->t) <= bound->tight_tolerance * allowed_share)
+        if (bound->t.distance(Float128(hit->t)) <= bound->tight_tolerance * allowed_share)
             return fault_in_end(exact, *bound, *hit);
     return text("the traced ray ends at t = ", hex(hit->t));
 }

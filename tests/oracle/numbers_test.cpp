@@ -27,7 +27,7 @@ std::vector<std::string> line_families(double epsilon) {
 
 class InFloat : public FamilyTest {};
 TEST_P(InFloat, LinesAreExact) { expect_all(read_line_cases(path()), ScalarType::float32); }
-INSTANTIATE_TEST_SUITE_P(, InFloat, testing::ValuesIn(line_families(epsilon<float>)), family_name);
+INSTANTIATE_TEST_SUITE_P(, InFloat, testing::ValuesIn(line_families(double(epsilon<float>))), family_name);
 
 class InLongDouble : public FamilyTest {};
 TEST_P(InLongDouble, LinesAreExact) { expect_all(decidable(read_line_cases(path())), ScalarType::float80); }

@@ -14,7 +14,8 @@ class RefrInFloat : public FamilyTest {};
 TEST_P(RefrInFloat, DirectionsAndSharesAreExact) {
     expect_refraction(read_refraction_cases(path()), {ScalarType::float32, Method::stable});
 }
-INSTANTIATE_TEST_SUITE_P(, RefrInFloat, testing::ValuesIn(families("refr", epsilon<float>)), family_name);
+INSTANTIATE_TEST_SUITE_P(, RefrInFloat, testing::ValuesIn(families("refr", double(epsilon<float>))),
+                         family_name);
 
 } // namespace
 } // namespace rayscope::test

@@ -25,7 +25,7 @@ std::optional<double> hit(const Solid<double>& solid, const Ray<double>& ray) {
 }
 
 Fault fault_in_hit(const ExactTriangle& exact, const Solid<double>& solid, const Ray<double>& ray, double t) {
-    if (const double error = exact.t.distance(t); !(error <= exact.tolerance * K / 64))
+    if (const double error = exact.t.distance(Float128(t)); !(error <= exact.tolerance * K / 64))
         return text("t ", hex(t), " is off by ", hex(error), ", allowed are ", hex(exact.tolerance * K / 64));
     const Vec3d weights =
         std::get<Polygon<double>>(solid.shape).shading_normal(solid.transform.to_object(ray).at(t));

@@ -52,7 +52,7 @@ Motion draw_motion(Random& random) {
     return motion;
 }
 
-constexpr int side = 32;
+constexpr int picture_side = 32;
 
 void expect_unmoved(int scenes) {
     int rays = 0, parted = 0;
@@ -63,12 +63,13 @@ void expect_unmoved(int scenes) {
         const Scene scene = draw_scene(random);
         const Motion motion = draw_motion(random);
         const Workbench here = make_workbench(scene), there = make_workbench(moved(scene, motion));
-        const EyeRays eye(here.scene.camera, side, side), moved_eye(there.scene.camera, side, side);
+        const EyeRays eye(here.scene.camera, picture_side, picture_side),
+            moved_eye(there.scene.camera, picture_side, picture_side);
         Comparison comparison(here.world, there.world, motion);
         for (int i = 0; i < 40; ++i) {
-            const int x = random.below(side), y = random.below(side);
+            const int x = random.below(picture_side), y = random.below(picture_side);
             // In a mirror the camera's right is left.
-            const double moved_x = motion.mirrored ? side - x - 0.5 : x + 0.5;
+            const double moved_x = motion.mirrored ? picture_side - x - 0.5 : x + 0.5;
             const Agreement agreement =
                 comparison.compare(eye.through(x + 0.5, y + 0.5), moved_eye.through(moved_x, y + 0.5));
             rays += agreement.rays;
