@@ -9,6 +9,7 @@
 #include "core/scene/source_text.hpp"
 #include "core/trace/rescale.hpp"
 #include "core/tracer/object_spans.hpp"
+#include "core/tracer/stage_set.hpp"
 
 #include <fmt/format.h>
 #include <memory>
@@ -25,11 +26,14 @@ template <Numbers N> World<N> world_of(const Scene& scene, const Configuration& 
 }
 
 // The ray in the world's numbers, whatever the length of its direction; ids are the world's.
-template <Numbers N> Recording recorded(const World<N>& world, const Ray<double>& ray) {
-    const double scale = ordinary_scale<ScalarOf<N>>(ray.direction);
-    Recording recording = record(world, {ray.origin, ray.direction * scale});
+template <Scalar T, typename Record> Recording recorded(const Ray<double>& ray, const Record& record) {
+    const double scale = ordinary_scale<T>(ray.direction);
+    Recording recording = record(Ray<double>{ray.origin, ray.direction * scale});
     if (scale != 1) rescale(recording.rays.front(), scale);
     return recording;
+}
+template <Numbers N> Recording recorded(const World<N>& world, const Ray<double>& ray) {
+    return recorded<ScalarOf<N>>(ray, [&](const Ray<double>& scaled) { return record(world, scaled); });
 }
 
 // Objects and solids have the same ids in every World of a scene: any of them can name what was recorded.
@@ -53,6 +57,14 @@ Trace traced(const Workbench& bench, const Ray<double>& ray, TraceSource source)
                  std::move(source));
 }
 
+Trace traced(const Workbench& bench, const StageSet& stages, const Ray<double>& ray, TraceSource source) {
+    const int x = source.by_hand ? none : source.x, y = source.by_hand ? none : source.y;
+    Recording recording = recorded<double>(
+        ray, [&](const Ray<double>& scaled) { return record(bench.world, stages, scaled, x, y); });
+    return named(bench, {{}, bench.world.max_depth, bench.world.min_weight}, std::move(recording),
+                 std::move(source));
+}
+
 Trace traced(const Workbench& bench, const Configuration& configuration, const Ray<double>& ray,
              TraceSource source) {
     Recording recording = with_numbers(configuration.numbers, [&]<Numbers N>() {
@@ -61,12 +73,16 @@ Trace traced(const Workbench& bench, const Configuration& configuration, const R
     return named(bench, configuration, std::move(recording), std::move(source));
 }
 
+Screen screen_of(const Camera& camera, int width, int height) {
+    const int columns = width > 0 ? width : camera.width, rows = height > 0 ? height : camera.height;
+    return {EyeRays(camera, columns, rows), columns, rows};
+}
+
 std::pair<Ray<double>, TraceSource> through_pixel(const Camera& camera, int x, int y, int width, int height) {
-    const EyeRays eye_rays(camera, width > 0 ? width : camera.width, height > 0 ? height : camera.height);
     TraceSource source;
     source.x = x;
     source.y = y;
-    return {eye_rays.through(x + 0.5, y + 0.5), std::move(source)};
+    return {screen_of(camera, width, height).eye_rays.through(x + 0.5, y + 0.5), std::move(source)};
 }
 
 TraceSource by_hand(const Ray<double>& ray) {
@@ -122,6 +138,21 @@ Trace trace_pixel(const Workbench& bench, int x, int y, int width, int height) {
 }
 
 Trace trace_ray(const Workbench& bench, const Ray<double>& ray) { return traced(bench, ray, by_hand(ray)); }
+
+std::shared_ptr<const StageSet> make_stages(const Workbench& bench, const std::optional<StageChoice>& choice,
+                                            int width, int height) {
+    return std::make_shared<StageSet>(bench.world, choice ? *choice : best_choice(bench.world).choice,
+                                      screen_of(bench.scene.camera, width, height));
+}
+
+Trace trace_pixel(const Workbench& bench, const StageSet& stages, int x, int y, int width, int height) {
+    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height);
+    return traced(bench, stages, ray, std::move(source));
+}
+
+Trace trace_ray(const Workbench& bench, const StageSet& stages, const Ray<double>& ray) {
+    return traced(bench, stages, ray, by_hand(ray));
+}
 
 Trace trace_pixel(const Workbench& bench, const Configuration& configuration, int x, int y, int width,
                   int height) {

@@ -25,6 +25,7 @@
 #include "core/tracer/why_not.hpp"
 
 #include <filesystem>
+#include <memory>
 
 namespace rayscope {
 
@@ -61,6 +62,18 @@ struct Workbench {
 
 /// A ray given by hand. Its direction need not be unit.
 [[nodiscard]] Trace trace_ray(const Workbench& bench, const Ray<double>& ray);
+
+/// What finds the hits of a workbench's rays: built once, asked by many. The workbench must outlive it.
+/// @param choice none: the quickest for the scene
+/// @param width, height of the image that pixels belong to; 0: the scene's
+[[nodiscard]] std::shared_ptr<const StageSet>
+make_stages(const Workbench& bench, const std::optional<StageChoice>& choice, int width = 0, int height = 0);
+
+/// The same rays, hits and colours by the way of stages: the trace tells of the places that they look into, and only of
+/// the objects that they test.
+[[nodiscard]] Trace trace_pixel(const Workbench& bench, const StageSet& stages, int x, int y, int width = 0,
+                                int height = 0);
+[[nodiscard]] Trace trace_ray(const Workbench& bench, const StageSet& stages, const Ray<double>& ray);
 
 /// The same rays in the numbers and with the limits of a configuration; what is recorded is double all the same.
 [[nodiscard]] Trace trace_pixel(const Workbench& bench, const Configuration& configuration, int x, int y,

@@ -3,7 +3,9 @@
 
 #include "core/bvh/node8.hpp"
 #include "core/stage/bins.hpp"
+#include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
+#include "core/stage/slab_ray.hpp"
 
 namespace rayscope {
 
@@ -29,10 +31,13 @@ public:
 private:
     template <Numbers> friend class BvhBuilder;
 
+    [[nodiscard]] PlaceEntered entered(std::uint32_t child, const Ray<T>& ray) const;
+
     static constexpr std::size_t deepest = 64;
 
     std::vector<Node8> nodes_;
     std::vector<Bin> leaves_;
+    std::vector<std::uint32_t> places_of_nodes_, places_of_leaves_; // 8 · node + place, where each hangs
     Bins<N> bins_;
     std::vector<std::uint32_t> apart_;
     std::vector<std::uint32_t> all_; // bounded ones, for rays that no box can be relied on for
@@ -64,12 +69,20 @@ void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
     while (top > 0) {
         const Ahead place = stack[--top];
         const float reach = ray.reach(double(search.reach()));
-        if (place.enter > reach) continue;
+        if (place.enter > reach) {
+            if constexpr (Search::recording) search.leave_out();
+            continue;
+        }
+        if constexpr (Search::recording) search.recorder().record(entered(place.child, search.ray()));
         if ((place.child & Node8::leaf) != 0) {
             ++counters.cells;
-            if (bins_.each(leaves_[place.child & ~Node8::leaf], ball_ray, counters,
-                           [&](std::uint32_t object) { return search.test(object); }))
-                return;
+            const Bin& bin = leaves_[place.child & ~Node8::leaf];
+            const std::uint64_t before = counters.objects;
+            const bool done = bins_.each(bin, ball_ray, counters,
+                                         [&](std::uint32_t object) { return search.test(object); });
+            if constexpr (Search::recording)
+                search.recorder().record(place_left(before, counters.objects, bin.size()));
+            if (done) return;
             continue;
         }
         ++counters.nodes;
@@ -84,6 +97,34 @@ void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
             stack[at] = {node.child[i], enter[i]};
         }
     }
+}
+
+template <Numbers N> PlaceEntered Bvh<N>::entered(std::uint32_t child, const Ray<T>& ray) const {
+    const bool is_leaf = (child & Node8::leaf) != 0;
+    const std::uint32_t number = child & ~Node8::leaf;
+    const auto box_of = [&](const Node8& node, std::size_t place) {
+        Box<T> box;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box.low[int(axis)] = T(double(node.low[axis][place]) / scale_);
+            box.high[int(axis)] = T(double(node.high[axis][place]) / scale_);
+        }
+        return box;
+    };
+    Box<T> box;
+    int level = 0;
+    if (!is_leaf && number == 0) {
+        for (std::size_t i = 0; i < 8; ++i) box = united(box, box_of(nodes_[0], i));
+    } else {
+        std::uint32_t place = (is_leaf ? places_of_leaves_ : places_of_nodes_)[number];
+        box = box_of(nodes_[place / 8], place % 8);
+        for (level = 1; place / 8 != 0; ++level) place = places_of_nodes_[place / 8];
+    }
+    const int held =
+        is_leaf ? int(leaves_[number].size())
+                : int(std::ranges::count_if(nodes_[number].low[0], [](float x) { return is_finite(x); }));
+    const BoxSpan<T> inside = SlabRay<T>(ray, T(2 / scale_), T(distortion_)).span(box);
+    return place_entered(is_leaf ? PlaceKind::cell : PlaceKind::node, Id(number), level, held, box,
+                         inside.enter, inside.exit);
 }
 
 } // namespace rayscope

@@ -43,14 +43,17 @@ template <Numbers N> void BvhBuilder<N>::build() {
         const std::uint32_t root = make(part(0, items_.size()), 0);
         if ((root & Node8::leaf) != 0) { // a single leaf still hangs on a node
             tree_.nodes_.emplace_back().set(0, part(0, items_.size()).box, root);
+            tree_.places_of_nodes_ = tree_.places_of_leaves_ = {0};
         }
     }
     BvhStatistics& s = tree_.statistics_;
     s.nodes = tree_.nodes_.size();
     s.leaves = tree_.leaves_.size();
     s.apart = tree_.apart_.size();
-    s.bytes = tree_.nodes_.capacity() * sizeof(Node8) + tree_.leaves_.capacity() * sizeof(Bin) +
-              tree_.bins_.bytes() + tree_.all_.capacity() * sizeof(std::uint32_t);
+    s.bytes =
+        tree_.nodes_.capacity() * sizeof(Node8) + tree_.leaves_.capacity() * sizeof(Bin) +
+        (tree_.places_of_nodes_.capacity() + tree_.places_of_leaves_.capacity()) * sizeof(std::uint32_t) +
+        tree_.bins_.bytes() + tree_.all_.capacity() * sizeof(std::uint32_t);
     s.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
@@ -131,6 +134,7 @@ template <Numbers N> std::uint32_t BvhBuilder<N>::make_leaf(const Part& whole) {
     for (std::size_t i = whole.first; i < whole.last; ++i) objects.push_back(items_[i].object);
     std::ranges::sort(objects);
     tree_.leaves_.push_back(tree_.bins_.add(world_, objects));
+    tree_.places_of_leaves_.push_back(0);
     return std::uint32_t(tree_.leaves_.size() - 1) | Node8::leaf;
 }
 
@@ -154,9 +158,13 @@ template <Numbers N> std::uint32_t BvhBuilder<N>::make(const Part& whole, int de
     }
     const auto index = std::uint32_t(tree_.nodes_.size());
     tree_.nodes_.emplace_back();
+    tree_.places_of_nodes_.push_back(0);
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t child = make(parts[i], depth + 1);
         tree_.nodes_[index].set(i, parts[i].box, child);
+        const bool is_leaf = (child & Node8::leaf) != 0;
+        (is_leaf ? tree_.places_of_leaves_ : tree_.places_of_nodes_)[child & ~Node8::leaf] =
+            std::uint32_t(8 * index + i);
     }
     return index;
 }

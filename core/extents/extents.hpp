@@ -2,6 +2,7 @@
 // The second stage: the generic's box is tested first, in the generic's own space.
 
 #include "core/stage/apart.hpp"
+#include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
 #include "core/stage/slab_ray.hpp"
 
@@ -25,11 +26,20 @@ public:
                 ++counters.boxes_missed;
                 continue;
             }
+            if constexpr (Search::recording)
+                if (!apart_[id]) search.recorder().record(extent_entered(id, search.ray()));
             if (search.test(id)) return;
         }
     }
 
 private:
+    [[nodiscard]] PlaceEntered extent_entered(std::uint32_t id, const Ray<T>& ray) const {
+        const Box<T> box = as<T>(this->world_.objects[id].bounds);
+        const BoxSpan<T> inside = SlabRay<T>(ray, size_of(box), T(1)).span(box);
+        PlaceEntered entered = place_entered(PlaceKind::extent, Id(id), 0, 1, box, inside.enter, inside.exit);
+        entered.object = Id(id);
+        return entered;
+    }
     [[nodiscard]] bool may_hit(const Object& object, const Ray<T>& ray, T reach) const {
         if (object.is_compound) { // the box that its parts make together, in world space
             const Box<T> box = as<T>(object.bounds);

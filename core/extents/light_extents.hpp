@@ -5,6 +5,7 @@
 #include "core/extents/light_view.hpp"
 #include "core/extents/view_rectangle.hpp"
 #include "core/stage/apart.hpp"
+#include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
 
 namespace rayscope {
@@ -34,6 +35,8 @@ private:
     };
     using Rectangles = std::vector<std::optional<ViewRectangle>>; // of the objects together_
 
+    [[nodiscard]] PlaceEntered cell_entered(const Window& window, const LightView::Cell& cell, int held,
+                                            double distance) const;
     [[nodiscard]] LightsView view_of(const Light& light) const;
     [[nodiscard]] Rectangles rectangles(const LightView& view) const;
     [[nodiscard]] std::vector<std::uint32_t> set_aside(Rectangles& rectangles) const;
@@ -61,17 +64,29 @@ void LightExtents<N>::look(const RayUse& use, Search& search) const {
             const Vec3d seen = window.view.from_light(from);
             const auto cell = window.view.cell(seen);
             if (!cell) continue;
+            const Counters& counters = search.work().counters;
             ++search.work().counters.cells;
             const double distance = window.view.distance(seen);
             const double beyond = double(above(distance));
+            const auto entries = window.lists.at(cell->x, cell->y);
+            const std::uint64_t before = counters.objects;
+            if constexpr (Search::recording)
+                search.recorder().record(cell_entered(window, *cell, int(entries.size()), distance));
             if (distance > double(window.covered[std::size_t(cell->y * window.view.cells + cell->x)])) {
                 if constexpr (requires { search.covered(); }) search.covered();
                 return;
             }
-            for (const CellLists::Entry& entry : window.lists.at(cell->x, cell->y)) {
-                if (double(entry.nearest) > beyond) break;
+            for (const CellLists::Entry& entry : entries) {
+                if (double(entry.nearest) > beyond) {
+                    if constexpr (Search::recording) search.leave_out();
+                    break;
+                }
+                if constexpr (Search::recording)
+                    search.recorder().record(entry_read(entry.object, entry.nearest));
                 if (search.test(entry.object)) return;
             }
+            if constexpr (Search::recording)
+                search.recorder().record(place_left(before, counters.objects, entries.size()));
             break;
         }
         for (const std::uint32_t object : light.aside)
@@ -79,6 +94,18 @@ void LightExtents<N>::look(const RayUse& use, Search& search) const {
     }
     for (const std::uint32_t object : apart_)
         if (search.test(object)) return;
+}
+
+template <Numbers N>
+PlaceEntered LightExtents<N>::cell_entered(const Window& window, const LightView::Cell& cell, int held,
+                                           double distance) const {
+    PlaceEntered entered;
+    entered.kind = PlaceKind::light_cell;
+    entered.place = cell.y * window.view.cells + cell.x;
+    entered.held = held;
+    entered.low = entered.high = {cell.x, cell.y, 0};
+    entered.t_out = distance;
+    return entered;
 }
 
 extern template class LightExtents<double>;

@@ -4,6 +4,7 @@
 #include "core/extents/cell_lists.hpp"
 #include "core/extents/view_rectangle.hpp"
 #include "core/stage/apart.hpp"
+#include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
 #include "core/world/camera.hpp"
 
@@ -27,6 +28,8 @@ public:
     [[nodiscard]] std::size_t apart() const { return apart_.size(); }
 
 private:
+    [[nodiscard]] PlaceEntered tile_entered(const RayUse& use, int held) const;
+
     int width_, height_;
     CellLists lists_;
     std::vector<std::uint32_t> apart_; // tested by every ray
@@ -67,11 +70,34 @@ template <typename Search>
 void ProjectiveExtents<N>::look(const RayUse& use, Search& search) const {
     for (const std::uint32_t object : apart_)
         if (search.test(object)) return;
+    const Counters& counters = search.work().counters;
     ++search.work().counters.cells;
-    for (const CellLists::Entry& entry : lists_.at(use.x / tile, use.y / tile)) {
-        if (ScalarOf<N>(entry.nearest) > search.reach()) break;
-        if (search.test(entry.object)) return;
+    const auto entries = lists_.at(use.x / tile, use.y / tile);
+    const std::uint64_t before = counters.objects;
+    if constexpr (Search::recording) search.recorder().record(tile_entered(use, int(entries.size())));
+    for (const CellLists::Entry& entry : entries) {
+        if (ScalarOf<N>(entry.nearest) > search.reach()) {
+            if constexpr (Search::recording) search.leave_out();
+            break;
+        }
+        if constexpr (Search::recording) search.recorder().record(entry_read(entry.object, entry.nearest));
+        if (search.test(entry.object)) break;
     }
+    if constexpr (Search::recording)
+        search.recorder().record(place_left(before, counters.objects, entries.size()));
+}
+
+template <Numbers N> PlaceEntered ProjectiveExtents<N>::tile_entered(const RayUse& use, int held) const {
+    const int size = tile << lists_.coarser();
+    const int column = use.x / size, row = use.y / size;
+    PlaceEntered entered;
+    entered.kind = PlaceKind::tile;
+    entered.place = row * ((width_ - 1) / size + 1) + column;
+    entered.held = held;
+    entered.low = {column * size, row * size, 0};
+    entered.high = {std::min((column + 1) * size, width_) - 1, std::min((row + 1) * size, height_) - 1, 0};
+    entered.t_out = infinity<double>;
+    return entered;
 }
 
 } // namespace rayscope

@@ -39,6 +39,7 @@ public:
         e.medium = medium(e.medium);
         e.left_object = object(e.left_object);
     }
+    void operator()(PlaceEntered& e) { e.object = object(e.object); }
     void operator()(ObjectAccepted& e) { e.object = object(e.object); }
     void operator()(NodeEvaluated& e) { e.object = object(e.object); }
     void operator()(SpanFound& e) {

@@ -36,6 +36,11 @@ public:
     /// What begins beyond this t can't change the answer.
     [[nodiscard]] T reach() const { return minimum(range_.max, nearest_.reach()); }
     [[nodiscard]] bool done() const { return false; }
+    /// For the record: something that begins beyond reach() was left out.
+    void leave_out() { left_out_ = true; }
+    [[nodiscard]] SearchEnd end() const {
+        return left_out_ ? SearchEnd::beyond_reach : SearchEnd::nothing_left;
+    }
     [[nodiscard]] const Nearest<T>& result() const { return nearest_; }
     [[nodiscard]] const Ray<T>& ray() const { return ray_; }
     [[nodiscard]] Work<T>& work() const { return work_; }
@@ -55,6 +60,7 @@ private:
     Work<T>& work_;
     Recorder& recorder_;
     Nearest<T> nearest_;
+    bool left_out_ = false;
 };
 
 /// Whether an opaque object has a crossing in the range. If there is none, work.blockers holds the crossings of
@@ -77,9 +83,16 @@ public:
         return blocked_;
     }
     /// A stage knows that an opaque object has a crossing in the range.
-    void covered() { blocked_ = true; }
+    void covered() { blocked_ = covered_ = true; }
     [[nodiscard]] T reach() const { return range_.max; }
     [[nodiscard]] bool done() const { return blocked_; }
+    /// For the record: something that begins beyond reach() was left out.
+    void leave_out() { left_out_ = true; }
+    [[nodiscard]] SearchEnd end() const {
+        if (covered_) return SearchEnd::covered;
+        if (blocked_) return SearchEnd::blocked;
+        return left_out_ ? SearchEnd::beyond_reach : SearchEnd::nothing_left;
+    }
     [[nodiscard]] bool result() {
         if (!blocked_ && work_.blockers.size() > 1)
             std::sort(work_.blockers.begin(), work_.blockers.end(), [](const auto& a, const auto& b) {
@@ -112,7 +125,7 @@ private:
     const Leaving<T>& leaving_;
     Work<T>& work_;
     Recorder& recorder_;
-    bool blocked_ = false;
+    bool blocked_ = false, covered_ = false, left_out_ = false;
 };
 
 /// A stage is a type with look(use, search): it calls search.test(object) for every object that may change the answer,

@@ -1,21 +1,14 @@
 #pragma once
 // Which stage finds the hits of which rays.
 
+#include "core/trace/events.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace rayscope {
-
-enum class StageKind {
-    scan,       ///< every object
-    extents,    ///< every object's box first
-    projective, ///< what a tile of the screen shows: eye rays
-    light,      ///< what a light sees in a cell: shadow rays
-    octree,
-    bvh,
-};
 
 /// One for each kind of ray.
 struct StageChoice {

@@ -26,6 +26,34 @@ enum class Reason : std::uint8_t {
     leaves_solid,              ///< no local light where a ray leaves a transmitting solid
 };
 
+/// How hits are found: a rung of the ladder.
+enum class StageKind : std::uint8_t {
+    scan,       ///< every object
+    extents,    ///< every object's box first
+    projective, ///< what a tile of the screen shows: eye rays
+    light,      ///< what a light sees in a cell: shadow rays
+    octree,
+    bvh,
+};
+
+/// What a stage keeps objects in, or passes on the way to them.
+enum class PlaceKind : std::uint8_t {
+    extent,     ///< the box of one object
+    tile,       ///< of the screen
+    light_cell, ///< of a light's view
+    entry,      ///< of a tile's or a light cell's list: one object
+    cell,       ///< of the octree, or a leaf of the bvh: objects
+    node,       ///< of the octree or the bvh: cells and nodes
+};
+
+/// Why a search came to its end.
+enum class SearchEnd : std::uint8_t {
+    nothing_left, ///< every place on the ray's way was looked into
+    beyond_reach, ///< all places left begin beyond the nearest hit, or beyond the light
+    blocked,      ///< something opaque was found
+    covered,      ///< a light's cell is covered by an opaque object nearer to the light
+};
+
 /// One end of an inside interval as it is recorded. An unbounded end has t = ±inf and leaf none.
 struct Boundary {
     double t = 0;
@@ -45,6 +73,41 @@ struct RaySpawned {
     Id light = none;       ///< shadow rays: the light that they ask for
     Id left_object = none; ///< secondary rays: the object whose surface they leave …
     double left_bound = 0; ///< … and how far, at most, the start may lie from it (world length)
+};
+
+/// A stage begins to look for what the ray hits. Recorded only where a stage was asked for.
+struct SearchBegan {
+    StageKind stage = StageKind::scan;
+    int objects = 0; ///< in the whole world
+};
+
+/// The ray comes to a place; what is tested in it follows. Places of a tree that it passes by are not recorded.
+struct PlaceEntered {
+    PlaceKind kind = PlaceKind::cell;
+    Id place = none;  ///< its number in the stage
+    int level = 0;    ///< its depth below the root of a tree
+    Id object = none; ///< extents and entries: the object
+    int held = 0;     ///< objects in it; of a node: children that are not empty
+    Vec3d low{0},
+        high{
+            0}; ///< its box in world space; of a tile its first and last pixel; of a light's cell column and row
+    double t_in = 0,
+           t_out = 0; ///< where the ray is in it; of an entry t_in: none of its object's crossings is nearer
+};
+
+/// The objects of a place were looked through.
+struct PlaceLeft {
+    int tested = 0; ///< for the first time in this search
+    int spared = 0; ///< of those held: tested before, or not needed any more
+};
+
+struct SearchEnded {
+    SearchEnd reason = SearchEnd::nothing_left;
+    double t = 0;   ///< beyond it nothing was looked for
+    int places = 0; ///< cells and lists that were looked into
+    int missed = 0; ///< extents that the ray missed
+    int tested = 0; ///< objects tested
+    int spared = 0; ///< objects of the world that needed no test
 };
 
 /// An object was tested and has a crossing that counts. Objects without one are only counted (RayFinished).
@@ -163,8 +226,9 @@ struct Truncated {
     int kept = 0; ///< events in the whole trace
 };
 
-using Event = std::variant<RaySpawned, ObjectAccepted, NodeEvaluated, SpanFound, ClusterMerged,
-                           BoundaryChosen, Missed, AmbientLit, LightLit, LocalLightSkipped, BlockerPassed,
-                           Reflected, Refracted, TotallyReflected, NotSpawned, RayFinished, Truncated>;
+using Event =
+    std::variant<RaySpawned, SearchBegan, PlaceEntered, PlaceLeft, SearchEnded, ObjectAccepted, NodeEvaluated,
+                 SpanFound, ClusterMerged, BoundaryChosen, Missed, AmbientLit, LightLit, LocalLightSkipped,
+                 BlockerPassed, Reflected, Refracted, TotallyReflected, NotSpawned, RayFinished, Truncated>;
 
 } // namespace rayscope

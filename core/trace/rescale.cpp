@@ -8,6 +8,13 @@ namespace {
 struct Rescaler {
     double scale;
     void operator()(RaySpawned& e) const { e.direction /= scale; }
+    void operator()(PlaceEntered& e) const {
+        if (e.kind == PlaceKind::tile || e.kind == PlaceKind::entry)
+            return; // from the eye, not in lengths of d
+        e.t_in *= scale;
+        e.t_out *= scale;
+    }
+    void operator()(SearchEnded& e) const { e.t *= scale; }
     void operator()(ObjectAccepted& e) const { e.t *= scale; }
     void operator()(SpanFound& e) const {
         e.enter.t *= scale;

@@ -52,6 +52,37 @@ template <> struct Fields<RaySpawned> {
     };
 };
 
+template <> struct Fields<SearchBegan> {
+    static constexpr auto name = "search_began";
+    static constexpr auto list =
+        std::tuple{Field{"stage", &SearchBegan::stage}, Field{"objects", &SearchBegan::objects}};
+};
+
+template <> struct Fields<PlaceEntered> {
+    static constexpr auto name = "place_entered";
+    static constexpr auto list = std::tuple{
+        Field{"kind", &PlaceEntered::kind},   Field{"place", &PlaceEntered::place},
+        Field{"level", &PlaceEntered::level}, Field{"object", &PlaceEntered::object, Target::object_or_none},
+        Field{"held", &PlaceEntered::held},   Field{"low", &PlaceEntered::low},
+        Field{"high", &PlaceEntered::high},   Field{"t_in", &PlaceEntered::t_in},
+        Field{"t_out", &PlaceEntered::t_out},
+    };
+};
+
+template <> struct Fields<PlaceLeft> {
+    static constexpr auto name = "place_left";
+    static constexpr auto list =
+        std::tuple{Field{"tested", &PlaceLeft::tested}, Field{"spared", &PlaceLeft::spared}};
+};
+
+template <> struct Fields<SearchEnded> {
+    static constexpr auto name = "search_ended";
+    static constexpr auto list =
+        std::tuple{Field{"reason", &SearchEnded::reason}, Field{"t", &SearchEnded::t},
+                   Field{"places", &SearchEnded::places}, Field{"missed", &SearchEnded::missed},
+                   Field{"tested", &SearchEnded::tested}, Field{"spared", &SearchEnded::spared}};
+};
+
 template <> struct Fields<ObjectAccepted> {
     static constexpr auto name = "object_accepted";
     static constexpr auto list =
@@ -240,6 +271,15 @@ template <> struct Words<RayKind> {
 template <> struct Words<Reason> {
     static constexpr std::string_view list[] = {"coefficient_zero",          "depth",     "weight",
                                                 "total_internal_reflection", "ray_limit", "leaves_solid"};
+};
+template <> struct Words<StageKind> {
+    static constexpr std::string_view list[] = {"scan", "extents", "projective", "light", "octree", "bvh"};
+};
+template <> struct Words<PlaceKind> {
+    static constexpr std::string_view list[] = {"extent", "tile", "light_cell", "entry", "cell", "node"};
+};
+template <> struct Words<SearchEnd> {
+    static constexpr std::string_view list[] = {"nothing_left", "beyond_reach", "blocked", "covered"};
 };
 template <> struct Words<Operation> {
     static constexpr std::string_view list[] = {"leaf", "union", "intersection", "difference", "complement"};

@@ -48,4 +48,10 @@ struct Recording {
 };
 template <Numbers N> [[nodiscard]] Recording record(const World<N>& world, const Ray<double>& ray);
 
+class StageSet;
+/// The same by the way of stages that are built, with the places that they look into.
+/// @param x, y the pixel that the ray goes through, if any
+[[nodiscard]] Recording record(const World<double>& world, const StageSet& stages, const Ray<double>& ray,
+                               int x = none, int y = none);
+
 } // namespace rayscope

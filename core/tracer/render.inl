@@ -55,13 +55,18 @@ RenderResult render(const World<N>& world, const Camera& camera, const RenderOpt
     return result;
 }
 
-template <Numbers N> Recording record(const World<N>& world, const Ray<double>& ray) {
-    const Scan<N> stage(world);
+template <Numbers N, typename Stage>
+[[nodiscard]] Recording recorded_by(const World<N>& world, const Stage& stage, const Ray<double>& ray, int x,
+                                    int y) {
     Work<ScalarOf<N>> work;
     TraceRecorder recorder;
     Tracer tracer(world, stage, work, recorder);
-    const Colour colour = tracer.trace(as<ScalarOf<N>>(ray));
+    const Colour colour = tracer.trace(as<ScalarOf<N>>(ray), x, y);
     return {recorder.take(), colour, recorder.dropped()};
+}
+
+template <Numbers N> Recording record(const World<N>& world, const Ray<double>& ray) {
+    return recorded_by(world, Scan<N>(world), ray, none, none);
 }
 
 template <Numbers N, Scalar T = ScalarOf<N>>

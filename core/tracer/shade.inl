@@ -41,7 +41,7 @@ Colour Tracer<N, Stage, Recorder, Order>::shade(const RayUse& use, const Ray<T>&
 
     const Colour local = local_light(at, budget);
     std::optional<Refraction<T>> bent;
-    if (at.material->transmits()) bent = refract<N>(at.incoming, at.facing, at.speed_from, at.speed_to);
+    if (at.material->transmits()) bent = refract_unit<N>(at.incoming, at.facing, at.speed_from, at.speed_to);
     const bool total = bent && bent->total();
     // What can't get through is mirrored as well: one ray carries both shares.
     const Colour mirrored_share =

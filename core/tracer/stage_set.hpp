@@ -7,6 +7,7 @@
 #include "core/extents/projective_extents.hpp"
 #include "core/extents/scan.hpp"
 #include "core/octree/octree.hpp"
+#include "core/stage/record_search.hpp"
 #include "core/stage/stage_choice.hpp"
 
 #include <memory>
@@ -25,13 +26,15 @@ public:
     StageSet(const World<double>& world, const StageChoice& choice, const std::optional<Screen>& screen);
 
     template <typename Search> void look(const RayUse& use, Search& search) const {
-        switch (kind_for(use)) {
-        case StageKind::scan: scan_->look(use, search); break;
-        case StageKind::extents: extents_->look(use, search); break;
-        case StageKind::projective: projective_->look(use, search); break;
-        case StageKind::light: light_->look(use, search); break;
-        case StageKind::octree: octree_->look(use, search); break;
-        case StageKind::bvh: bvh_->look(use, search); break;
+        if constexpr (Search::recording) {
+            const std::size_t objects = world_.objects.size();
+            search.recorder().record(SearchBegan{kind_for(use), int(objects)});
+            const Counters before = search.work().counters;
+            look_by(kind_for(use), use, search);
+            search.recorder().record(
+                search_ended(search.end(), double(search.reach()), before, search.work().counters, objects));
+        } else {
+            look_by(kind_for(use), use, search);
         }
     }
 
@@ -43,6 +46,16 @@ public:
     [[nodiscard]] const LightExtents<double>* light() const { return light_.get(); }
 
 private:
+    template <typename Search> void look_by(StageKind kind, const RayUse& use, Search& search) const {
+        switch (kind) {
+        case StageKind::scan: scan_->look(use, search); break;
+        case StageKind::extents: extents_->look(use, search); break;
+        case StageKind::projective: projective_->look(use, search); break;
+        case StageKind::light: light_->look(use, search); break;
+        case StageKind::octree: octree_->look(use, search); break;
+        case StageKind::bvh: bvh_->look(use, search); break;
+        }
+    }
     [[nodiscard]] StageKind kind_for(const RayUse& use) const {
         if (use.kind == RayKind::shadow)
             return choice_.shadow == StageKind::light && use.light == none ? choice_.other : choice_.shadow;

@@ -16,6 +16,10 @@ void add_ray_options(CLI::App& command, Texts& texts) {
     add_text(command, "--pixel", texts.pixel, "X,Y",
              "the pixel to trace; without it the scene's own, or its middle");
     add_text(command, "--ray", texts.ray, "ox,oy,oz,dx,dy,dz", "a ray instead: origin and direction");
+    add_text(command, "--stage", texts.stage, "NAME",
+             "also tell where a stage looks for the hits: best, scan, extents, projective, light, octree, "
+             "bvh, or one "
+             "for each kind of ray, as `render` takes it");
 }
 
 CLI::App_p make_step(Texts& texts) {

@@ -36,12 +36,23 @@ std::string scene_text(const Texts& texts) {
     return texts.scene.value_or("");
 }
 
+std::optional<StageChoice> asked_stage(const Texts& texts) {
+    if (!texts.stage || *texts.stage == "best") return std::nullopt;
+    try {
+        return stage_choice(*texts.stage);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(std::string("--stage: ") + error.what());
+    }
+}
+
 RayChoice ray_choice(const Texts& texts) {
     RayChoice choice;
     choice.scene = scene_text(texts);
     if (texts.pixel && texts.ray) throw UsageError("--pixel and --ray exclude each other");
     if (texts.pixel) choice.pixel = parse_pixel(*texts.pixel);
     if (texts.ray) choice.ray = parse_ray(*texts.ray);
+    choice.by_stage = texts.stage.has_value();
+    choice.stage = asked_stage(texts);
     return choice;
 }
 
@@ -56,6 +67,8 @@ StepOptions step_options(const Texts& texts) {
     if (texts.size) options.size = parse_size(*texts.size);
     options.why = texts.why;
     options.compare = texts.compare;
+    if (texts.compare && texts.stage)
+        throw UsageError("--compare and --stage exclude each other: other numbers than double stable scan");
     if (texts.compare && texts.why) throw UsageError("--compare and --why exclude each other");
     if (texts.compare && texts.png)
         throw UsageError("--compare draws no picture: --png has no meaning with it");
@@ -77,7 +90,7 @@ RenderCommandOptions render_options(const Texts& texts) {
     options.output = needed_output(texts, "render", "image.png");
     options.statistics = texts.statistics;
     options.configuration = texts.configurations;
-    options.stage = texts.stage;
+    options.stage = asked_stage(texts);
     if (texts.size) options.size = parse_size(*texts.size);
     if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
     return options;

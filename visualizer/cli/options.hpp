@@ -19,6 +19,8 @@ struct RayChoice {
     std::string scene; ///< a path or the name of a shipped scene; empty: the glass bowl
     std::optional<std::pair<int, int>> pixel;
     std::optional<Ray<double>> ray;
+    bool by_stage = false; ///< the trace tells where a stage looked for hits; else every object is tested
+    std::optional<StageChoice> stage; ///< none: the quickest
 };
 
 struct StepOptions {
@@ -42,7 +44,7 @@ struct RenderCommandOptions {
     std::optional<std::string> statistics;
     std::optional<Size> size;
     std::optional<std::string> configuration; ///< as rayscope::configuration reads it
-    std::optional<std::string> stage; ///< as rayscope::stage_choice reads it; none or "best": the quickest
+    std::optional<StageChoice> stage;         ///< none: the quickest
     int threads = 0;
 };
 

@@ -96,6 +96,7 @@ std::string ray_text(const Trace& trace, int index, const StepStyle& style) {
     const TracedRay& ray = trace.rays[std::size_t(index)];
     Page page(style.paint);
     add_start(page, trace, index, style);
+    add_search(page, trace, index, style);
     add_spans(page, trace, index, style);
     if (ray.start().kind == RayKind::shadow) {
         add_shadow_answer(page, trace, ray, style);

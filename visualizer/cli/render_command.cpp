@@ -20,21 +20,11 @@ void check_arguments(const RenderCommandOptions& options) {
     if (options.statistics) check_output("--stats", *options.statistics, {".json"});
 }
 
-std::optional<StageChoice> chosen_stage(const std::optional<std::string>& text) {
-    if (!text || *text == "best") return std::nullopt;
-    try {
-        return stage_choice(*text);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(std::string("--stage: ") + error.what());
-    }
-}
-
 } // namespace
 
 int render(const RenderCommandOptions& options) {
     check_arguments(options);
     if (options.configuration) (void)chosen_configuration("--config", *options.configuration, {});
-    const std::optional<StageChoice> stage = chosen_stage(options.stage);
     RenderReport report;
     const std::filesystem::path path = find_scene(options.scene);
     report.scene = path.string();
@@ -48,7 +38,7 @@ int render(const RenderCommandOptions& options) {
     const Configuration own = own_configuration(scene);
     const Configuration chosen =
         options.configuration ? chosen_configuration("--config", *options.configuration, own) : own;
-    if (stage && *stage != StageChoice{} && chosen.numbers != NumbersChoice{})
+    if (options.stage && *options.stage != StageChoice{} && chosen.numbers != NumbersChoice{})
         throw UsageError("--stage: other numbers than double stable scan; expected scan with this --config");
     const auto trace = renderer(scene, chosen);
     report.build = building.elapsed();
@@ -59,7 +49,7 @@ int render(const RenderCommandOptions& options) {
         tracing.height = options.size->height;
     }
     tracing.threads = options.threads;
-    tracing.stage = stage;
+    tracing.stage = options.stage;
     tracing.stop = &stop_asked_for;
     catch_interrupts();
     RenderResult result;

@@ -60,7 +60,9 @@ fs::path find_scene(const std::string& text) {
 }
 
 Trace trace_choice(const Workbench& bench, const RayChoice& choice) {
-    if (choice.ray) return trace_ray(bench, *choice.ray);
+    std::shared_ptr<const StageSet> stages;
+    if (choice.by_stage) stages = make_stages(bench, choice.stage);
+    if (choice.ray) return stages ? trace_ray(bench, *stages, *choice.ray) : trace_ray(bench, *choice.ray);
     const Camera& camera = bench.scene.camera;
     const auto middle = std::pair(camera.width / 2, camera.height / 2);
     const auto [x, y] = choice.pixel.value_or(bench.scene.step_pixel.value_or(middle));
@@ -69,7 +71,7 @@ Trace trace_choice(const Workbench& bench, const RayChoice& choice) {
                          " lies outside the image of " + std::to_string(camera.width) + " × " +
                          std::to_string(camera.height) + " pixels, whose last one is " +
                          std::to_string(camera.width - 1) + "," + std::to_string(camera.height - 1));
-    return trace_pixel(bench, x, y);
+    return stages ? trace_pixel(bench, *stages, x, y) : trace_pixel(bench, x, y);
 }
 
 } // namespace rayscope::cli

@@ -22,6 +22,7 @@ struct StepStyle {
 
 // The parts of ray_text, in their order; each adds what its events say, or nothing.
 void add_start(Page& page, const Trace& trace, int ray, const StepStyle& style);
+void add_search(Page& page, const Trace& trace, int ray, const StepStyle& style);
 void add_spans(Page& page, const Trace& trace, int ray, const StepStyle& style);
 void add_hit(Page& page, const Trace& trace, int ray, const StepStyle& style);
 void add_light(Page& page, const Trace& trace, int ray, const StepStyle& style);

@@ -10,4 +10,8 @@ template std::vector<FirstHit> first_hits(const World<double>&, const Camera&, c
 template std::vector<ReferenceSample> reference_samples(const World<double>&, const EyeRays&, int, int, int,
                                                         const RenderOptions&);
 
+Recording record(const World<double>& world, const StageSet& stages, const Ray<double>& ray, int x, int y) {
+    return recorded_by(world, stages, ray, x, y);
+}
+
 } // namespace rayscope
