@@ -164,6 +164,31 @@ Trace trace_ray(const Workbench& bench, const Configuration& configuration, cons
     return traced(bench, configuration, ray, by_hand(ray));
 }
 
+ScreenExtents screen_extents(const Workbench& bench, int width, int height) {
+    const Screen screen = screen_of(bench.scene.camera, width, height);
+    const auto name = [&](std::uint32_t id) { return object_title(bench.scene, bench.scene.drawn[id]); };
+    ScreenExtents extents;
+    extents.width = screen.width;
+    extents.height = screen.height;
+    std::vector<std::uint32_t> apart;
+    auto rectangles = screen_rectangles(bench.world, screen.eye_rays, screen.width, screen.height, apart);
+    std::ranges::sort(rectangles, {}, &ScreenRectangle::nearest);
+    for (const ScreenRectangle& r : rectangles)
+        extents.rectangles.push_back({name(r.object), std::clamp(r.left, 0.0, double(screen.width)),
+                                      std::clamp(r.top, 0.0, double(screen.height)),
+                                      std::clamp(r.right, 0.0, double(screen.width)),
+                                      std::clamp(r.bottom, 0.0, double(screen.height)), r.nearest});
+    for (const std::uint32_t id : apart) extents.apart.push_back(name(id));
+
+    const ProjectiveExtents<double> stage(bench.world, screen.eye_rays, screen.width, screen.height);
+    extents.tile = stage.tile_pixels();
+    extents.entries = Map((screen.width - 1) / extents.tile + 1, (screen.height - 1) / extents.tile + 1);
+    for (int y = 0; y < extents.entries.height; ++y)
+        for (int x = 0; x < extents.entries.width; ++x)
+            extents.entries.at(x, y) = float(stage.list_at(x * extents.tile, y * extents.tile).size());
+    return extents;
+}
+
 WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std::size_t object) {
     const RaySpawned& start = trace.rays.at(ray).start();
     const SceneObject& drawn = bench.scene.drawn.at(object);

@@ -12,6 +12,7 @@
 #include "core/files/atomic_file.hpp"
 #include "core/files/utf8.hpp"
 #include "core/image/image.hpp"
+#include "core/image/map.hpp"
 #include "core/image/srgb.hpp"
 #include "core/scene/expand.hpp"
 #include "core/scene/name_trace.hpp"
@@ -80,6 +81,22 @@ make_stages(const Workbench& bench, const std::optional<StageChoice>& choice, in
                                 int width = 0, int height = 0);
 [[nodiscard]] Trace trace_ray(const Workbench& bench, const Configuration& configuration,
                               const Ray<double>& ray);
+
+/// The screen as the stage of projective extents sees it.
+struct ScreenExtents {
+    struct Rectangle {
+        std::string name;                                ///< of the drawn object
+        double left = 0, top = 0, right = 0, bottom = 0; ///< pixels, cut to the screen
+        double nearest = 0;                              ///< the object's least distance from the eye
+    };
+    std::vector<Rectangle> rectangles; ///< nearest first
+    std::vector<std::string> apart;    ///< objects that every eye ray tests
+    int width = 0, height = 0;
+    int tile = 0; ///< pixels along an edge
+    Map entries;  ///< of each tile: the objects in its list
+};
+/// @param width, height of the image; 0: the scene's
+[[nodiscard]] ScreenExtents screen_extents(const Workbench& bench, int width = 0, int height = 0);
 
 /// Why ray number `ray` of a trace of this workbench did not end on a drawn object (an index into Scene::drawn).
 [[nodiscard]] WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std::size_t object);

@@ -34,11 +34,11 @@ private:
 } // namespace
 
 ImageError image_error(const Image& image, const std::vector<FirstHit>& hits, const Reference& reference,
-                       std::vector<float>* map) {
+                       Map* map) {
     ImageError error;
     ErrorOfT of_t;
     double difference = 0, total = 0, shown_difference = 0, light = 0, exact_light = 0;
-    if (map != nullptr) map->clear();
+    if (map != nullptr) *map = Map(image.width, image.height);
     for (std::size_t i = 0; i < reference.samples.size(); ++i) {
         const ReferenceSample& exact = reference.samples[i];
         if (hits[i].object != exact.first.object)
@@ -60,7 +60,7 @@ ImageError image_error(const Image& image, const std::vector<FirstHit>& hits, co
         const double delta_e = ciede2000(lab_of(shown(colour)), lab_of(shown(exact.colour)));
         error.delta_e_mean += delta_e / double(reference.samples.size());
         error.delta_e_max = maximum(error.delta_e_max, delta_e);
-        if (map != nullptr) map->push_back(float(delta_e));
+        if (map != nullptr) map->values[i] = float(delta_e);
     }
     error.t_max = of_t.max();
     error.t_rms = of_t.rms();

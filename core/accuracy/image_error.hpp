@@ -3,6 +3,7 @@
 
 #include "core/accuracy/reference.hpp"
 #include "core/image/image.hpp"
+#include "core/image/map.hpp"
 
 #include <optional>
 
@@ -21,6 +22,6 @@ struct ImageError {
 /// @param hits of the image's own configuration
 /// @param map if given, set to each pixel's CIEDE2000
 [[nodiscard]] ImageError image_error(const Image& image, const std::vector<FirstHit>& hits,
-                                     const Reference& reference, std::vector<float>* map = nullptr);
+                                     const Reference& reference, Map* map = nullptr);
 
 } // namespace rayscope

@@ -64,7 +64,7 @@ private:
         const RenderResult result = render(world, scene_.camera, rendering_);
         const auto hits = first_hits(world, scene_.camera, rendering_);
         if (stopped()) return;
-        std::vector<float> map;
+        Map map;
         error_ = image_error(result.image, hits, reference_, options_.on_map ? &map : nullptr);
         if (options_.on_map) map_ = options_.on_map(configuration_, map);
         const double time = result.statistics.cpu_seconds;

@@ -25,8 +25,8 @@ struct MeasureOptions {
     int threads = 0;
     std::function<void(double)> progress;
     const std::atomic<bool>* stop = nullptr;
-    /// Takes the CIEDE2000 of each pixel of a configuration, row by row; returns what becomes Measured::map.
-    std::function<std::string(const Configuration&, const std::vector<float>&)> on_map;
+    /// Takes the CIEDE2000 of each pixel of a configuration; returns what becomes Measured::map.
+    std::function<std::string(const Configuration&, const Map&)> on_map;
 };
 
 /// Renders in turn, A B C A B C …, so that a machine that slows down slows all of them down. One image is kept at a time.

@@ -10,6 +10,13 @@
 
 namespace rayscope {
 
+/// What an object covers of the screen, in pixels; it may reach beyond the screen.
+struct ScreenRectangle {
+    double left, top, right, bottom;
+    double nearest; ///< from the eye to the object, never rounded up
+    std::uint32_t object;
+};
+
 /// For eye rays alone: a mirrored ray has no place on the screen. The screen is cut into tiles; each lists the objects
 /// whose rectangle meets it, nearest first, and a ray ends where the next one begins beyond its hit.
 template <Numbers N> class ProjectiveExtents {
@@ -25,7 +32,13 @@ public:
     template <typename Search> [[gnu::noinline]] void look(const RayUse& use, Search& search) const;
 
     [[nodiscard]] const CellLists& lists() const { return lists_; }
-    [[nodiscard]] std::size_t apart() const { return apart_.size(); }
+    /// Edge of the tiles that share a list: larger where many objects crowd the screen.
+    [[nodiscard]] int tile_pixels() const { return tile << lists_.coarser(); }
+    /// What is tested by the eye ray through a pixel, nearest first.
+    [[nodiscard]] std::span<const CellLists::Entry> list_at(int x, int y) const {
+        return lists_.at(x / tile, y / tile);
+    }
+    [[nodiscard]] const std::vector<std::uint32_t>& apart() const { return apart_; }
 
 private:
     [[nodiscard]] PlaceEntered tile_entered(const RayUse& use, int held) const;
@@ -35,33 +48,46 @@ private:
     std::vector<std::uint32_t> apart_; // tested by every ray
 };
 
+/// The rectangles of all objects that the screen shows.
+/// @param apart becomes the objects that have none: without end, or such that rounding could carry their crossings far
 template <Numbers N>
-ProjectiveExtents<N>::ProjectiveExtents(const World<N>& world, const EyeRays& eye_rays, int width, int height)
-    : width_(width), height_(height) {
+[[nodiscard]] std::vector<ScreenRectangle> screen_rectangles(const World<N>& world, const EyeRays& eye_rays,
+                                                             int width, int height,
+                                                             std::vector<std::uint32_t>& apart) {
     std::vector<std::uint32_t> together;
-    const Reach reach = sort_out(world, apart_, together);
+    const Reach reach = sort_out(world, apart, together);
     const Views<N> views(world, reach.margin(largest_component(absolute(eye_rays.eye()))));
     const auto frame = [&](const Vec3d& p) { return eye_rays.from_eye(p); };
-    const double scale = 1 / eye_rays.pixel();
-    // To a tile, which is one of the screen's own; a rectangle may reach beyond, and rounding by a part of a pixel.
-    const auto tile_of = [&](double slope, double middle, double away, int size) {
-        const double pixel = slope * scale + middle + away;
-        return int(minimum(maximum(pixel, 0.0), double(size) - 0.5)) / tile;
-    };
-    std::vector<CellLists::Item> items;
+    const double scale = 1 / eye_rays.pixel(), half_width = 0.5 * width, half_height = 0.5 * height;
+    std::vector<ScreenRectangle> rectangles;
     for (const std::uint32_t id : together) {
         const auto seen = views.rectangle(world.objects[id], frame);
         if (!seen) continue;
-        const double rounding = 0x1p-10;
-        const double half_width = 0.5 * width, half_height = 0.5 * height;
-        if (seen->right * scale < -half_width - 1 || seen->left * scale > half_width + 1 ||
-            seen->bottom * scale < -half_height - 1 || seen->top * scale > half_height + 1)
-            continue;
-        items.push_back({tile_of(seen->left, half_width, -rounding, width),
-                         tile_of(seen->top, half_height, -rounding, height),
-                         tile_of(seen->right, half_width, rounding, width),
-                         tile_of(seen->bottom, half_height, rounding, height), below(seen->nearest), id});
+        const ScreenRectangle r{seen->left * scale + half_width,
+                                seen->top * scale + half_height,
+                                seen->right * scale + half_width,
+                                seen->bottom * scale + half_height,
+                                seen->nearest,
+                                id};
+        if (r.right >= -1 && r.left <= width + 1 && r.bottom >= -1 && r.top <= height + 1)
+            rectangles.push_back(r);
     }
+    return rectangles;
+}
+
+template <Numbers N>
+ProjectiveExtents<N>::ProjectiveExtents(const World<N>& world, const EyeRays& eye_rays, int width, int height)
+    : width_(width), height_(height) {
+    // To a tile, which is one of the screen's own; a rectangle may reach beyond, and rounding by a part of a pixel.
+    constexpr double rounding = 0x1p-10;
+    const auto tile_of = [](double pixel, int size) {
+        return int(minimum(maximum(pixel, 0.0), double(size) - 0.5)) / tile;
+    };
+    std::vector<CellLists::Item> items;
+    for (const ScreenRectangle& r : screen_rectangles(world, eye_rays, width, height, apart_))
+        items.push_back({tile_of(r.left - rounding, width), tile_of(r.top - rounding, height),
+                         tile_of(r.right + rounding, width), tile_of(r.bottom + rounding, height),
+                         below(r.nearest), r.object});
     lists_ = CellLists((width - 1) / tile + 1, (height - 1) / tile + 1, std::move(items));
 }
 
@@ -72,7 +98,7 @@ void ProjectiveExtents<N>::look(const RayUse& use, Search& search) const {
         if (search.test(object)) return;
     const Counters& counters = search.work().counters;
     ++search.work().counters.cells;
-    const auto entries = lists_.at(use.x / tile, use.y / tile);
+    const auto entries = list_at(use.x, use.y);
     const std::uint64_t before = counters.objects;
     if constexpr (Search::recording) search.recorder().record(tile_entered(use, int(entries.size())));
     for (const CellLists::Entry& entry : entries) {
@@ -88,7 +114,7 @@ void ProjectiveExtents<N>::look(const RayUse& use, Search& search) const {
 }
 
 template <Numbers N> PlaceEntered ProjectiveExtents<N>::tile_entered(const RayUse& use, int held) const {
-    const int size = tile << lists_.coarser();
+    const int size = tile_pixels();
     const int column = use.x / size, row = use.y / size;
     PlaceEntered entered;
     entered.kind = PlaceKind::tile;

@@ -8,6 +8,8 @@
 
 namespace rayscope {
 
+struct Nothing {};
+
 /// The nearest crossing with t in the range, with those of other objects that may coincide with it. What it holds in the
 /// end depends on the objects that were tested, not on their order.
 template <Numbers N, typename Recorder> class NearestSearch {
@@ -24,6 +26,7 @@ public:
           work_(work),
           recorder_(recorder),
           nearest_(ray) {
+        if constexpr (recording) before_ = work.counters;
         // What the ray leaves starts with a crossing at t = 0 that no box knows of.
         for (const LeavingSurface<T>& surface : leaving) test(surface.object, &surface);
     }
@@ -45,6 +48,8 @@ public:
     [[nodiscard]] const Ray<T>& ray() const { return ray_; }
     [[nodiscard]] Work<T>& work() const { return work_; }
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
+    /// For the record: what had been counted when the search began.
+    [[nodiscard]] const auto& before() const { return before_; }
 
 private:
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
@@ -61,6 +66,7 @@ private:
     Recorder& recorder_;
     Nearest<T> nearest_;
     bool left_out_ = false;
+    [[no_unique_address]] std::conditional_t<recording, Counters, Nothing> before_;
 };
 
 /// Whether an opaque object has a crossing in the range. If there is none, work.blockers holds the crossings of
@@ -73,6 +79,7 @@ public:
     BlockerSearch(const World<N>& world, const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
                   Work<T>& work, Recorder& recorder)
         : world_(world), ray_(ray), range_(range), leaving_(leaving), work_(work), recorder_(recorder) {
+        if constexpr (recording) before_ = work.counters;
         work.blockers.clear();
         for (const LeavingSurface<T>& surface : leaving)
             if (!blocked_) test(surface.object, &surface);
@@ -103,6 +110,8 @@ public:
     [[nodiscard]] const Ray<T>& ray() const { return ray_; }
     [[nodiscard]] Work<T>& work() const { return work_; }
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
+    /// For the record: what had been counted when the search began.
+    [[nodiscard]] const auto& before() const { return before_; }
 
 private:
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
@@ -126,6 +135,7 @@ private:
     Work<T>& work_;
     Recorder& recorder_;
     bool blocked_ = false, covered_ = false, left_out_ = false;
+    [[no_unique_address]] std::conditional_t<recording, Counters, Nothing> before_;
 };
 
 /// A stage is a type with look(use, search): it calls search.test(object) for every object that may change the answer,

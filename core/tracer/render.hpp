@@ -2,8 +2,10 @@
 // A whole image.
 
 #include "core/image/image.hpp"
+#include "core/image/map.hpp"
 #include "core/stage/stage_choice.hpp"
 #include "core/trace/trace.hpp"
+#include "core/tracer/heat.hpp"
 #include "core/world/camera.hpp"
 #include "core/world/counters.hpp"
 #include "core/world/world.hpp"
@@ -17,6 +19,7 @@ struct RenderOptions {
     int width = 0, height = 0;               ///< 0: the camera's
     int threads = 0;                         ///< 0: one for each processor
     std::optional<StageChoice> stage;        ///< of double stable; none: the quickest for the scene
+    std::optional<Heat> heat;                ///< also measure what each pixel costs
     std::function<void(double)> progress;    ///< called with 0 … 1, by one thread at a time
     const std::atomic<bool>* stop = nullptr; ///< set to true from outside: the render ends soon, incomplete
 };
@@ -32,6 +35,7 @@ struct RenderStatistics {
 
 struct RenderResult {
     Image image;
+    Map heat; ///< what each pixel cost; empty unless asked for
     RenderStatistics statistics;
     bool complete = true;
 };

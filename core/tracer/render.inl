@@ -42,12 +42,19 @@ RenderResult render(const World<N>& world, const Camera& camera, const RenderOpt
     const EyeRays eye_rays(camera, image.width, image.height);
     const auto stage = stage_for(world, eye_rays, image.width, image.height, options, result.statistics);
     tbb::enumerable_thread_specific<Work<T>> works;
+    if (options.heat) result.heat = Map(image.width, image.height);
     result.complete = for_each_tile(image.width, image.height, options, [&](const Tile& tile) {
         NullRecorder recorder;
-        Tracer tracer(world, stage, works.local(), recorder);
-        for (int y = tile.top; y < tile.bottom; ++y)
-            for (int x = tile.left; x < tile.right; ++x)
+        Work<T>& work = works.local();
+        Tracer tracer(world, stage, work, recorder);
+        for (int y = tile.top; y < tile.bottom; ++y) {
+            for (int x = tile.left; x < tile.right; ++x) {
+                std::optional<HeatMeter> meter;
+                if (options.heat) meter.emplace(*options.heat, work.counters);
                 image.set(x, y, tracer.trace(as<T>(eye_rays.through(x + 0.5, y + 0.5)), x, y));
+                if (meter) result.heat.at(x, y) = meter->value(tracer.deepest());
+            }
+        }
     });
     for (const Work<T>& work : works) result.statistics.counters += work.counters;
     result.statistics.cpu_seconds = stopwatch.cpu_seconds();

@@ -10,6 +10,7 @@ template <Numbers N, typename Stage, typename Recorder, typename Order>
 Colour Tracer<N, Stage, Recorder, Order>::trace(const Ray<T>& ray, int x, int y) {
     eye_ = {RayKind::eye, x, y, none};
     rays_left_ = world_.max_rays;
+    deepest_ = 0;
     const Leaving<T> nothing;
     Budget budget;
     ++work_.counters.rays[std::size_t(RayKind::eye)];
@@ -25,6 +26,7 @@ Colour Tracer<N, Stage, Recorder, Order>::trace(const Ray<T>& ray, int x, int y)
 template <Numbers N, typename Stage, typename Recorder, typename Order>
 Colour Tracer<N, Stage, Recorder, Order>::shade(const RayUse& use, const Ray<T>& ray,
                                                 const Leaving<T>& leaving, const Budget& budget) {
+    deepest_ = std::max(deepest_, budget.depth);
     const std::uint64_t before = work_.counters.objects;
     const Range<T> range{budget.depth == 0 ? T(0) : secondary_start<N>};
     const auto hit = stage_.closest(use, ray, range, leaving, work_, recorder_);

@@ -29,10 +29,9 @@ public:
         if constexpr (Search::recording) {
             const std::size_t objects = world_.objects.size();
             search.recorder().record(SearchBegan{kind_for(use), int(objects)});
-            const Counters before = search.work().counters;
             look_by(kind_for(use), use, search);
-            search.recorder().record(
-                search_ended(search.end(), double(search.reach()), before, search.work().counters, objects));
+            search.recorder().record(search_ended(search.end(), double(search.reach()), search.before(),
+                                                  search.work().counters, objects));
         } else {
             look_by(kind_for(use), use, search);
         }

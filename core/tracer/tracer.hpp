@@ -30,6 +30,8 @@ public:
     [[nodiscard]] Colour trace(const Ray<T>& ray, int x = none, int y = none);
 
     [[nodiscard]] const Order& order() const { return order_; }
+    /// Depth of the deepest ray of the last trace.
+    [[nodiscard]] int deepest() const { return deepest_; }
 
 private:
     /// A ray that the material asks for.
@@ -64,7 +66,7 @@ private:
     [[no_unique_address]] Order order_;
     RecursionLimits limits_;
     RayUse eye_;
-    int rays_left_ = 0;
+    int rays_left_ = 0, deepest_ = 0;
 };
 
 } // namespace rayscope

@@ -90,8 +90,8 @@ private:
         options.threads = options_.threads;
         options.stop = &stop_asked_for;
         if (maps)
-            options.on_map = [&](const Configuration& configuration, const std::vector<float>& map) {
-                return write_map(*options_.output, configuration, map, against.width, against.height);
+            options.on_map = [&](const Configuration& configuration, const Map& map) {
+                return write_error_map(*options_.output, configuration, map);
             };
         Progress progress("configurations");
         options.progress = [&](double share) { progress.show(share); };

@@ -39,17 +39,11 @@ void prepare_folder(const fs::path& folder) {
     }
 }
 
-std::string write_map(const fs::path& folder, const Configuration& configuration,
-                      const std::vector<float>& map, int width, int height) {
+std::string write_error_map(const fs::path& folder, const Configuration& configuration, const Map& map) {
     std::string name = "error-" + name_of(configuration) + ".pfm";
     std::erase(name, ',');
     std::replace(name.begin(), name.end(), ' ', '-');
-    std::string text =
-        fmt::format("Pf\n{} {}\n-1.0\n", width, height); // little-endian, rows from the bottom up
-    for (int y = height - 1; y >= 0; --y)
-        text.append(reinterpret_cast<const char*>(&map[std::size_t(y) * std::size_t(width)]),
-                    std::size_t(width) * sizeof(float));
-    write_text_file(folder / name, text);
+    write_map(map, folder / name);
     return name;
 }
 

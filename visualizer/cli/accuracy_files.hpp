@@ -12,8 +12,8 @@ namespace rayscope::cli {
 void prepare_folder(const std::filesystem::path& folder);
 
 /// Writes the error map of a configuration and returns its name: error-….pfm, one channel, CIEDE2000 per pixel.
-[[nodiscard]] std::string write_map(const std::filesystem::path& folder, const Configuration& configuration,
-                                    const std::vector<float>& map, int width, int height);
+[[nodiscard]] std::string write_error_map(const std::filesystem::path& folder,
+                                          const Configuration& configuration, const Map& map);
 
 /// accuracy.json and accuracy.csv; returns the path of the first.
 std::filesystem::path write_report(const std::filesystem::path& folder, const AccuracyReport& report);

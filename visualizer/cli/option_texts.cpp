@@ -65,8 +65,25 @@ CLI::App_p make_render(Texts& texts) {
              "how hits are found: best, scan, extents, projective, light, octree, bvh, or one for each kind "
              "of ray, "
              "such as eye=projective,shadow=light,other=octree; the image stays the same, bit for bit");
+    add_text(command, "--heat", texts.heat, "KIND",
+             "instead of the image what each pixel costs: tests, cells, depth, time or rays; a .png with a "
+             "scale, or "
+             "the numbers as .pfm");
     add_text(command, "--stats", texts.statistics, "FILE", "write times and counts to a JSON file");
-    command.footer("Example:\n  rayscope render lens -o lens.png --size 1280x960\n");
+    command.footer("Example:\n  rayscope render lens -o lens.png --size 1280x960\n"
+                   "  rayscope render lens --stage octree --heat tests -o tests.png\n");
+    return made;
+}
+
+CLI::App_p make_extents(Texts& texts) {
+    auto made = std::make_shared<CLI::App>("draw what each object covers of the screen", "extents");
+    CLI::App& command = *made;
+    add_text(command, "SCENE", texts.scene, "", scene_help);
+    add_text(command, "-o", texts.output, "FILE", "the picture (.png)");
+    add_text(command, "--size", texts.size, "WxH", "size of the image, instead of the scene's");
+    command.footer(
+        "Each eye ray tests only the objects in its tile's list: those whose rectangle meets the tile.\n\n"
+        "Example:\n  rayscope extents glass_bowl -o extents.png\n");
     return made;
 }
 
@@ -101,7 +118,8 @@ CLI::App_p make_accuracy(Texts& texts) {
 } // namespace
 
 Commands make_commands(Texts& texts) {
-    return {make_step(texts), make_trace(texts), make_render(texts), make_accuracy(texts)};
+    return {make_step(texts), make_trace(texts), make_render(texts), make_extents(texts),
+            make_accuracy(texts)};
 }
 
 } // namespace rayscope::cli

@@ -12,7 +12,7 @@ namespace rayscope::cli {
 /// The options as texts: they are checked after all of them are known. An empty one was given, and is wrong.
 struct Texts {
     using Text = std::optional<std::string>;
-    Text scene, pixel, ray, digits, png, size, output, threads, statistics, why, compare, stage;
+    Text scene, pixel, ray, digits, png, size, output, threads, statistics, why, compare, stage, heat;
     Text configurations, target_error, runs, reference_rays;
     bool no_png = false, cases = false;
 };

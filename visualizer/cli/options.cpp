@@ -83,6 +83,25 @@ std::string needed_output(const Texts& texts, const char* command, const char* e
     return *texts.output;
 }
 
+Heat heat_of(const std::string& text) {
+    std::vector<std::string_view> known;
+    for (const HeatName& heat : heat_names) {
+        if (text == heat.name) return Heat(&heat - heat_names.data());
+        known.push_back(heat.name);
+    }
+    throw UsageError("--heat: expected " + one_of(known) + ", found " + in_quotes(text) +
+                     did_you_mean(text, known));
+}
+
+ExtentsOptions extents_options(const Texts& texts) {
+    ExtentsOptions options;
+    options.scene = scene_text(texts);
+    if (!texts.scene) throw UsageError("extents needs a scene: rayscope extents SCENE -o extents.png");
+    options.output = needed_output(texts, "extents", "extents.png");
+    if (texts.size) options.size = parse_size(*texts.size);
+    return options;
+}
+
 RenderCommandOptions render_options(const Texts& texts) {
     RenderCommandOptions options;
     options.scene = scene_text(texts);
@@ -91,6 +110,7 @@ RenderCommandOptions render_options(const Texts& texts) {
     options.statistics = texts.statistics;
     options.configuration = texts.configurations;
     options.stage = asked_stage(texts);
+    if (texts.heat) options.heat = heat_of(*texts.heat);
     if (texts.size) options.size = parse_size(*texts.size);
     if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
     return options;
@@ -194,6 +214,7 @@ Options parse_options(int count, const char* const* arguments) {
     refuse_repeated(command);
     if (command.get_name() == "step") return step_options(texts);
     if (command.get_name() == "render") return render_options(texts);
+    if (command.get_name() == "extents") return extents_options(texts);
     if (texts.cases) {
         refuse_scene_options(command);
         return cases_options(texts);

@@ -45,7 +45,13 @@ struct RenderCommandOptions {
     std::optional<Size> size;
     std::optional<std::string> configuration; ///< as rayscope::configuration reads it
     std::optional<StageChoice> stage;         ///< none: the quickest
+    std::optional<Heat> heat;                 ///< the picture tells what each pixel costs
     int threads = 0;
+};
+
+struct ExtentsOptions {
+    std::string scene, output;
+    std::optional<Size> size;
 };
 
 struct AccuracyCommandOptions {
@@ -67,8 +73,8 @@ struct Help {
     std::string text;
 };
 
-using Options =
-    std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, AccuracyCommandOptions, CasesOptions>;
+using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, ExtentsOptions,
+                             AccuracyCommandOptions, CasesOptions>;
 
 /// Throws UsageError.
 [[nodiscard]] Options parse_options(int count, const char* const* arguments);

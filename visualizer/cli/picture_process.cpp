@@ -82,6 +82,12 @@ void run_or_throw(std::vector<std::string> arguments) {
         throw std::runtime_error("rayscope-view could not draw (exit code " + std::to_string(code) + ")");
 }
 
+void add_size(std::vector<std::string>& arguments, const std::optional<Size>& size) {
+    if (!size) return;
+    arguments.emplace_back("--size");
+    arguments.push_back(std::to_string(size->width) + "x" + std::to_string(size->height));
+}
+
 } // namespace
 
 bool can_draw() { return access(view_program().c_str(), X_OK) == 0; }
@@ -104,10 +110,23 @@ void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::opti
                                        file.string(),
                                        "-o",
                                        output.string()};
-    if (size) {
-        arguments.push_back("--size");
-        arguments.push_back(std::to_string(size->width) + "x" + std::to_string(size->height));
-    }
+    add_size(arguments, size);
+    run_or_throw(std::move(arguments));
+}
+
+void draw_heat(const Map& map, const std::string& title, const fs::path& output) {
+    const IgnoreInterrupts patience;
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "heat.pfm";
+    write_map(map, file);
+    run_or_throw({view_program().string(), "heat", file.string(), "--title", title, "-o", output.string()});
+}
+
+void draw_extents(const fs::path& scene, const fs::path& output, std::optional<Size> size) {
+    const IgnoreInterrupts patience;
+    std::vector<std::string> arguments{view_program().string(), "extents", "--scene",
+                                       scene.string(),          "-o",      output.string()};
+    add_size(arguments, size);
     run_or_throw(std::move(arguments));
 }
 

@@ -20,6 +20,13 @@ enum class Drawing { png, vtm };
 void draw(Drawing drawing, const Trace& trace, const std::filesystem::path& output,
           std::optional<Size> size = {});
 
+/// Has a map drawn with its scale. Throws std::runtime_error.
+void draw_heat(const Map& map, const std::string& title, const std::filesystem::path& output);
+
+/// Has a scene's projective extents drawn over its image. Throws std::runtime_error.
+void draw_extents(const std::filesystem::path& scene, const std::filesystem::path& output,
+                  std::optional<Size> size);
+
 /// Has the chart and the error maps of a measurement drawn, beside its accuracy.json. Throws std::runtime_error.
 void draw_accuracy(const std::filesystem::path& json);
 

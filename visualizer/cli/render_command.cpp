@@ -5,6 +5,7 @@
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/interrupts.hpp"
 #include "visualizer/cli/output_check.hpp"
+#include "visualizer/cli/picture_process.hpp"
 #include "visualizer/cli/progress.hpp"
 #include "visualizer/cli/render_report.hpp"
 #include "visualizer/cli/scene_choice.hpp"
@@ -16,8 +17,24 @@ namespace rayscope::cli {
 namespace {
 
 void check_arguments(const RenderCommandOptions& options) {
-    check_output("-o", options.output, {".png", ".pfm", ".exr"});
+    if (options.heat) {
+        check_output("-o", options.output, {".png", ".pfm"});
+        if (std::filesystem::path(options.output).extension() == ".png" && !can_draw())
+            throw std::runtime_error(std::string(how_to_draw()) + "; the numbers as they are: -o heat.pfm");
+    } else {
+        check_output("-o", options.output, {".png", ".pfm", ".exr"});
+    }
     if (options.statistics) check_output("--stats", *options.statistics, {".json"});
+}
+
+void write(const RenderResult& result, const RenderCommandOptions& options) {
+    if (!options.heat) {
+        write_image(result.image, options.output);
+    } else if (std::filesystem::path(options.output).extension() == ".pfm") {
+        write_map(result.heat, options.output);
+    } else {
+        draw_heat(result.heat, std::string(heat_names[std::size_t(*options.heat)].meaning), options.output);
+    }
 }
 
 } // namespace
@@ -50,6 +67,7 @@ int render(const RenderCommandOptions& options) {
     }
     tracing.threads = options.threads;
     tracing.stage = options.stage;
+    tracing.heat = options.heat;
     tracing.stop = &stop_asked_for;
     catch_interrupts();
     RenderResult result;
@@ -72,7 +90,7 @@ int render(const RenderCommandOptions& options) {
     report.image_hash = hash(result.image);
 
     const Stopwatch writing;
-    write_image(result.image, options.output);
+    write(result, options);
     report.write = writing.elapsed();
     std::error_code error;
     const auto bytes = std::filesystem::file_size(options.output, error);

@@ -11,8 +11,6 @@
 namespace rayscope::drawing {
 namespace {
 
-constexpr int largest_side = 32768;
-
 double positive(const nlohmann::json& json, const char* member) {
     const double value = json.at(member).get<double>();
     if (!std::isfinite(value) || value <= 0)
@@ -71,28 +69,6 @@ AccuracyFile read_accuracy(const std::filesystem::path& path) {
     } catch (const std::exception& error) {
         throw InputError(path.string(), {}, error.what());
     }
-}
-
-ErrorMap read_error_map(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string magic;
-    double scale = 0;
-    ErrorMap map;
-    file >> magic >> map.width >> map.height >> scale;
-    if (!file || magic != "Pf" || map.width < 1 || map.height < 1 || map.width > largest_side ||
-        map.height > largest_side || !(scale < 0))
-        throw InputError(path.string(), {}, "expected a little-endian .pfm of one channel (Pf)");
-    file.get();
-    std::error_code error;
-    const std::size_t pixels = std::size_t(map.width) * std::size_t(map.height);
-    if (std::filesystem::file_size(path, error) - std::uintmax_t(file.tellg()) != pixels * sizeof(float))
-        throw InputError(path.string(), {},
-                         "expected " + std::to_string(pixels) + " numbers of 4 bytes after the header");
-    map.values.resize(pixels);
-    for (int y = map.height - 1; y >= 0; --y)
-        file.read(reinterpret_cast<char*>(&map.values[std::size_t(y) * std::size_t(map.width)]),
-                  std::streamsize(std::size_t(map.width) * sizeof(float)));
-    return map;
 }
 
 } // namespace rayscope::drawing

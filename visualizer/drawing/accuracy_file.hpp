@@ -28,13 +28,4 @@ struct AccuracyFile {
 /// Throws InputError that names the file and what was expected.
 [[nodiscard]] AccuracyFile read_accuracy(const std::filesystem::path& path);
 
-/// A map of one float per pixel, rows from the top.
-struct ErrorMap {
-    int width = 0, height = 0;
-    std::vector<float> values;
-};
-
-/// A .pfm of one channel ("Pf", little-endian). Throws InputError.
-[[nodiscard]] ErrorMap read_error_map(const std::filesystem::path& path);
-
 } // namespace rayscope::drawing

@@ -42,7 +42,14 @@ struct Text {
     Align align = Align::left;
 };
 
-using Shape = std::variant<FilledArea, Stroke, FilledPolygon, Disc, Text>;
+/// Pixels as they are, stretched over the area.
+struct Bitmap {
+    Area area;
+    int width = 0, height = 0;
+    std::vector<Rgb> pixels; ///< row by row from the top left
+};
+
+using Shape = std::variant<FilledArea, Stroke, FilledPolygon, Disc, Text, Bitmap>;
 
 struct Canvas {
     std::vector<Shape> shapes;

@@ -4,8 +4,11 @@
 
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
+#include <vtkRect.h>
 
 namespace rayscope::drawing {
 namespace {
@@ -51,6 +54,25 @@ public:
         const Area area = text_area(shape);
         context_->ApplyTextProp(text_property(shape.font, shape.size * scale_, shape.colour));
         context_->DrawString(x(area.x), y(shape.at.y + below_middle * shape.size), shape.text.c_str());
+    }
+
+    void operator()(const Bitmap& shape) const {
+        vtkNew<vtkImageData> image;
+        image->SetDimensions(shape.width, shape.height, 1);
+        image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+        for (int row = 0; row < shape.height; ++row) // VTK's rows come from the bottom
+            for (int column = 0; column < shape.width; ++column) {
+                auto* bytes =
+                    static_cast<unsigned char*>(image->GetScalarPointer(column, shape.height - 1 - row, 0));
+                const Rgb& pixel =
+                    shape.pixels[std::size_t(row) * std::size_t(shape.width) + std::size_t(column)];
+                bytes[0] = pixel.red;
+                bytes[1] = pixel.green;
+                bytes[2] = pixel.blue;
+            }
+        const Area& a = shape.area;
+        context_->DrawImage(
+            vtkRectf(x(a.x), y(a.bottom()), float(a.width * scale_), float(a.height * scale_)), image);
     }
 
 private:

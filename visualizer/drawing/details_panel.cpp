@@ -34,6 +34,16 @@ const char* reason_text(Reason reason) {
     return "";
 }
 
+const char* reason_text(SearchEnd reason) {
+    switch (reason) {
+    case SearchEnd::nothing_left: return "no place left";
+    case SearchEnd::beyond_reach: return "the rest is beyond";
+    case SearchEnd::blocked: return "blocked";
+    case SearchEnd::covered: return "cell covered";
+    }
+    return "";
+}
+
 class Collector {
 public:
     Collector(const Trace& trace, const TracedRay& ray) : trace_(trace), ray_(ray) {}
@@ -44,6 +54,13 @@ public:
         lines.push_back({std::move(name), std::move(value), {}});
     }
 
+    void operator()(const SearchBegan& e) { stage_ = std::string(name_of(e.stage)); }
+    void operator()(const SearchEnded& e) {
+        add(stage_, std::to_string(e.places) + (e.places == 1 ? " place, " : " places, ") +
+                        std::to_string(e.tested) + (e.tested == 1 ? " test, " : " tests, ") +
+                        std::to_string(e.spared) + " saved");
+        add("ended", reason_text(e.reason));
+    }
     void operator()(const BoundaryChosen& e) {
         add("hit", object_name(trace_, e.object) + (e.entering ? " (enters)" : " (leaves)"));
         std::string t = number(e.boundary.t, 7);
@@ -81,6 +98,7 @@ public:
 private:
     const Trace& trace_;
     const TracedRay& ray_;
+    std::string stage_;
 };
 
 } // namespace

@@ -36,6 +36,11 @@ std::vector<Entry> entries_of(const Trace& trace, bool ghosts) {
     }
     if (first([](const TracedRay& r) { return r.find<NodeEvaluated>() != nullptr; }) != nullptr)
         entries.push_back({"inside", lane_colour(0, false), Entry::Mark::bar});
+    const auto looked_into = [](const TracedRay& r) {
+        const auto* place = r.find<PlaceEntered>();
+        return place != nullptr && place->kind != PlaceKind::tile && place->kind != PlaceKind::light_cell;
+    };
+    if (first(looked_into) != nullptr) entries.push_back({"cell that the ray visits", place_blue});
     if (ghosts) entries.push_back({"pale: other rays", mixed(quiet_ink, sky, 0.6)});
     return entries;
 }

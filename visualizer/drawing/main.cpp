@@ -1,8 +1,11 @@
 // rayscope-view: the part of rayscope that needs VTK. `rayscope` runs it for pictures and ParaView files.
 
 #include "visualizer/drawing/accuracy_chart.hpp"
+#include "visualizer/drawing/extents_picture.hpp"
+#include "visualizer/drawing/heat_map.hpp"
 #include "visualizer/drawing/picture.hpp"
 #include "visualizer/drawing/vtm.hpp"
+#include "visualizer/drawing/write_png.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -16,7 +19,7 @@ namespace {
 using namespace rayscope;
 
 struct Arguments {
-    std::string scene, trace, output, size, measurement;
+    std::string scene, trace, output, size, measurement, map, title;
     int ray = none;
 };
 
@@ -62,6 +65,29 @@ void draw(const Arguments& arguments) {
     drawing::write_picture(open(arguments.scene), trace, arguments.output, {size, arguments.ray});
 }
 
+void draw_heat(const Arguments& arguments) {
+    check_writable(arguments.output);
+    const Map map = read_map(arguments.map);
+    drawing::write_png(drawing::draw_heat_map(map, arguments.title, drawing::end_of_scale(map)),
+                       arguments.output);
+}
+
+void draw_extents(const Arguments& arguments) {
+    check_writable(arguments.output);
+    const Workbench bench = open(arguments.scene);
+    RenderOptions options;
+    char rest = 0;
+    if (!arguments.size.empty() &&
+        (std::sscanf(arguments.size.c_str(), "%5dx%5d%c", &options.width, &options.height, &rest) != 2 ||
+         options.width < 1 || options.height < 1))
+        throw InputError("--size", {}, "'" + arguments.size + "' is no size: expected WIDTHxHEIGHT");
+    const RenderResult result = render(bench, options);
+    const std::string name = std::filesystem::path(arguments.scene).stem().string();
+    drawing::write_png(
+        drawing::draw_extents(screen_extents(bench, options.width, options.height), result.image, name),
+        arguments.output);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -81,6 +107,16 @@ int main(int argc, char** argv) {
         ->required();
     accuracy->add_option("--size", arguments.size, "WIDTHxHEIGHT of the chart in pixels (1280x720)");
     accuracy->footer("Example: rayscope-view accuracy cost/accuracy.json");
+    CLI::App* heat = app.add_subcommand("heat", "Draws a map of one number for each pixel, with its scale");
+    heat->add_option("FILE", arguments.map, "A .pfm of one channel")->required();
+    heat->add_option("--title", arguments.title, "What the numbers are");
+    heat->add_option("-o,--output", arguments.output, "The file to write")->required();
+    heat->footer("Example: rayscope-view heat tests.pfm --title \"tests of generics\" -o tests.png");
+    CLI::App* extents = app.add_subcommand("extents", "Draws projective extents and tiles over the image");
+    extents->add_option("--scene", arguments.scene, "The scene file")->required();
+    extents->add_option("-o,--output", arguments.output, "The file to write")->required();
+    extents->add_option("--size", arguments.size, "WIDTHxHEIGHT of the image in pixels (the scene's)");
+    extents->footer("Example: rayscope-view extents --scene bowl.toml -o extents.png");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -89,6 +125,8 @@ int main(int argc, char** argv) {
     try {
         if (*png) draw(arguments);
         if (*accuracy) drawing::write_accuracy_pictures(arguments.measurement, parse_size(arguments.size));
+        if (*heat) draw_heat(arguments);
+        if (*extents) draw_extents(arguments);
         if (*vtm) drawing::write_vtm(open(arguments.scene), read_trace(arguments.trace), arguments.output);
     } catch (const InputError& error) {
         std::cerr << error.what() << '\n';

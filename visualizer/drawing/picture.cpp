@@ -83,6 +83,7 @@ Raster draw_picture(const Workbench& bench, const Trace& trace, const PictureOpt
 
     RayStrokes strokes(view, region, layout.pixels);
     strokes.draw(trace, styles, rays_polydata(trace, region.open_length()), hits_polydata(trace));
+    strokes.draw_places(current, places_polydata(trace));
     strokes.draw_lanes(trace, current, lanes, spans_polydata(trace, region.open_length()));
 
     Canvas canvas;

@@ -204,4 +204,17 @@ void RayStrokes::draw_lanes(const Trace& trace, int ray, const Lanes& lanes, vtk
     }
 }
 
+void RayStrokes::draw_places(int ray, vtkPolyData* places) {
+    for (vtkIdType i = 0; i < places->GetNumberOfCells(); ++i) {
+        if (int(cell_value(places, "ray_id", i)) != ray) continue;
+        const auto near = within_reach(view_.to_view(point_of(places, 2 * i)),
+                                       view_.to_view(point_of(places, 2 * i + 1)), rays_within);
+        if (!near) continue;
+        const auto& [from, to] = *near;
+        const auto part = view_.visible(from, to, -0.3 * view_.area().width);
+        if (!part) continue;
+        tube(from + (to - from) * part->from, from + (to - from) * part->to, 1.1, place_blue);
+    }
+}
+
 } // namespace rayscope::drawing

@@ -40,6 +40,9 @@ public:
     /// Beside the current ray: the lanes of its inside intervals.
     void draw_lanes(const Trace& trace, int ray, const Lanes& lanes, vtkPolyData* spans);
 
+    /// The boxes that a stage looked into for one ray.
+    void draw_places(int ray, vtkPolyData* places);
+
     [[nodiscard]] const Mesh& mesh() const { return mesh_; }
     [[nodiscard]] const std::vector<FlatSegment>& segments() const { return segments_; }
 

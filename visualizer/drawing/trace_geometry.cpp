@@ -148,4 +148,44 @@ vtkSmartPointer<vtkPolyData> spans_polydata(const Trace& trace, double open_leng
     return lines.data;
 }
 
+vtkSmartPointer<vtkPolyData> places_polydata(const Trace& trace) {
+    Lines lines;
+    Column<vtkIntArray> id("ray_id"), step("step"), number("place"), level("level"), held("held");
+    Column<vtkStringArray> objects("object_name");
+    Column<vtkDoubleArray> enters("t_in"), exits("t_out");
+    const auto add_box = [&](const PlaceEntered& place, std::size_t ray) {
+        const auto corner = [&](unsigned i) {
+            return Vec3d{(i & 1U) != 0 ? place.high.x : place.low.x,
+                         (i & 2U) != 0 ? place.high.y : place.low.y,
+                         (i & 4U) != 0 ? place.high.z : place.low.z};
+        };
+        for (unsigned from = 0; from < 8; ++from)
+            for (const unsigned axis : {1U, 2U, 4U}) {
+                if ((from & axis) != 0) continue;
+                lines.line(corner(from), corner(from | axis));
+                id.array->InsertNextValue(int(ray));
+                step.array->InsertNextValue(int(ray));
+                number.array->InsertNextValue(place.place);
+                level.array->InsertNextValue(place.level);
+                held.array->InsertNextValue(place.held);
+                objects.array->InsertNextValue(place.object == none ? "" : object_name(trace, place.object));
+                enters.array->InsertNextValue(place.t_in);
+                exits.array->InsertNextValue(place.t_out);
+            }
+    };
+    for (std::size_t i = 0; i < trace.rays.size(); ++i)
+        for (const Event& event : trace.rays[i].events)
+            if (const auto* place = std::get_if<PlaceEntered>(&event);
+                place != nullptr && (place->kind == PlaceKind::cell || place->kind == PlaceKind::extent) &&
+                Box<double>{place->low, place->high}.bounded())
+                add_box(*place, i);
+    lines.data->SetPoints(lines.points);
+    lines.data->SetLines(lines.cells);
+    for (vtkAbstractArray* column :
+         std::initializer_list<vtkAbstractArray*>{id.array, step.array, number.array, level.array, held.array,
+                                                  objects.array, enters.array, exits.array})
+        lines.data->GetCellData()->AddArray(column);
+    return lines.data;
+}
+
 } // namespace rayscope::drawing

@@ -21,6 +21,10 @@ namespace rayscope::drawing {
 /// `open_length`. Cell arrays: ray_id, step, object_id, node_id, node_name, t_enter, t_exit (as recorded).
 [[nodiscard]] vtkSmartPointer<vtkPolyData> spans_polydata(const Trace& trace, double open_length);
 
+/// The twelve edges of each box that a stage looked into: cells, leaves and extents, none of infinite size. Cell arrays:
+/// ray_id, step, place, level, object_name (of an extent), held, t_in, t_out.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> places_polydata(const Trace& trace);
+
 /// What a person calls a node: its own name, and the root its object's.
 [[nodiscard]] std::string node_label(const Trace& trace, Id object, Id node);
 

@@ -82,6 +82,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> multiblock(const Workbench& bench, const T
     put(blocks, "rays", rays_polydata(trace, region.open_length()));
     put(blocks, "hits", hits_polydata(trace));
     put(blocks, "inside_intervals", spans_polydata(trace, region.open_length()));
+    put(blocks, "places", places_polydata(trace));
     vtkNew<vtkMultiBlockDataSet> surfaces;
     for (const Surface& surface : surfaces_near(bench, trace, drawn, region).shown)
         if (!surface.pieces.empty()) put(surfaces, surface.name, joined(surface.pieces));

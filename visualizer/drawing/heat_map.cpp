@@ -1,12 +1,11 @@
-#include "visualizer/drawing/accuracy_chart.hpp"
+#include "visualizer/drawing/heat_map.hpp"
+
 #include "visualizer/drawing/flat_picture.hpp"
 #include "visualizer/drawing/text.hpp"
-#include "visualizer/drawing/write_png.hpp"
-
-#include "core/rayscope.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace rayscope::drawing {
 namespace {
@@ -25,9 +24,9 @@ Rgb colour_at(double share) {
 }
 
 // Between 512 and 1024 pixels on the longer side, each value a square.
-int enlargement(const ErrorMap& map) { return std::max(1, 1024 / std::max({map.width, map.height, 1})); }
+int enlargement(const Map& map) { return std::max(1, 1024 / std::max({map.width, map.height, 1})); }
 
-void draw_bar(Canvas& canvas, const Area& area, double most) {
+void draw_bar(Canvas& canvas, const Area& area, double most, bool more) {
     constexpr int steps = 64;
     for (int i = 0; i < steps; ++i) {
         const double bottom = area.bottom() - area.height * i / steps;
@@ -36,11 +35,13 @@ void draw_bar(Canvas& canvas, const Area& area, double most) {
                        colour_at((i + 0.5) / steps)});
     }
     for (int i = 0; i <= 4; ++i)
-        canvas.add(Text{
-            {area.right() + 6, area.bottom() - area.height * i / 4}, number(most * i / 4, 3), font, ink});
+        canvas.add(Text{{area.right() + 6, area.bottom() - area.height * i / 4},
+                        (i == 4 && more ? "≥ " : "") + number(most * i / 4, 4),
+                        font,
+                        ink});
 }
 
-void copy_map(Raster& raster, const ErrorMap& map, int size, double most) {
+void copy_map(Raster& raster, const Map& map, int size, double most) {
     for (int y = 0; y < map.height * size; ++y)
         for (int x = 0; x < map.width * size; ++x) {
             const float value =
@@ -56,41 +57,33 @@ void copy_map(Raster& raster, const ErrorMap& map, int size, double most) {
 
 } // namespace
 
-Raster draw_error_map(const ErrorMap& map, const std::string& title, double most) {
+Raster draw_heat_map(const Map& map, const std::string& title, double most) {
     const int size = enlargement(map), width = map.width * size, height = map.height * size;
     const PictureSize whole{std::max(420, width + 2 * margin + bar_room),
                             std::max(160, height + head + margin)};
     FlatPicture picture(whole);
     Canvas canvas;
     canvas.add(Text{{double(margin), head / 2.0},
-                    elided(title + ": ΔE2000 against the reference (1 is just visible)", Font::bold, font,
-                           whole.width - 2.0 * margin),
+                    elided(title, Font::bold, font, whole.width - 2.0 * margin),
                     font,
                     ink,
                     Font::bold});
     draw_bar(canvas, {double(margin + width + 12), head + font, bar_width, std::max(40.0, height - 2 * font)},
-             most);
+             most, std::ranges::any_of(map.values, [&](float value) { return !(double(value) <= most); }));
     Raster raster = picture.finish(std::move(canvas));
     copy_map(raster, map, size, most);
     return raster;
 }
 
-void write_accuracy_pictures(const std::filesystem::path& path, const PictureSize& size) {
-    const AccuracyFile file = read_accuracy(path);
-    const std::filesystem::path folder = path.parent_path();
-    // One scale for all, so that they can be compared: it ends where a difference is plain, or at the largest.
-    double most = 0;
-    for (const MeasuredPoint& p : file.points)
-        if (!p.map.empty())
-            for (const float value : read_error_map(folder / p.map).values)
-                if (std::isfinite(value)) most = std::max(most, double(value));
-    constexpr double plain = 10;
-    most = most > 0 ? std::min(most, plain) : 1;
-    write_png(draw_accuracy_chart(file, size), folder / "chart.png");
-    for (const MeasuredPoint& p : file.points)
-        if (!p.map.empty())
-            write_png(draw_error_map(read_error_map(folder / p.map), p.name, most),
-                      (folder / p.map).replace_extension(".png"));
+double end_of_scale(const Map& map) {
+    std::vector<float> values;
+    std::ranges::copy_if(map.values, std::back_inserter(values), [](float v) { return std::isfinite(v); });
+    if (values.empty()) return 1;
+    std::ranges::sort(values);
+    const auto largest = double(values.back()), usual = double(values[(values.size() - 1) * 995 / 1000]);
+    constexpr double outlier = 2.5;
+    const double end = largest > outlier * usual && usual > 0 ? usual : largest;
+    return end > 0 ? end : 1;
 }
 
 } // namespace rayscope::drawing

@@ -1,0 +1,71 @@
+#pragma once
+// What a pixel costs, in place of its colour.
+
+#include "core/world/counters.hpp"
+
+#include <ctime>
+#include <numeric>
+#include <string_view>
+
+namespace rayscope {
+
+enum class Heat : std::uint8_t {
+    tests, ///< generics tested, operands included
+    cells, ///< places looked into or passed: nodes, cells, lists, boxes
+    depth, ///< of the deepest ray
+    time,  ///< of the processor
+    rays,
+};
+
+/// By Heat.
+struct HeatName {
+    std::string_view name, meaning;
+};
+inline constexpr std::array<HeatName, 5> heat_names{
+    {{"tests", "generics tested for each pixel"},
+     {"cells", "cells, lists, nodes and boxes visited for each pixel"},
+     {"depth", "depth of each pixel's deepest ray"},
+     {"time", "processor time of each pixel in microseconds"},
+     {"rays", "rays traced for each pixel, shadow rays included"}}};
+
+/// Measures one pixel, from its making on.
+class HeatMeter {
+public:
+    HeatMeter(Heat heat, const Counters& counters)
+        : heat_(heat), counters_(counters), before_(counted()), start_(processor_time()) {}
+
+    /// @param deepest the depth of the deepest ray
+    [[nodiscard]] float value(int deepest) const {
+        if (heat_ == Heat::depth) return float(deepest);
+        if (heat_ == Heat::time) return float(processor_time() - start_);
+        return float(counted() - before_);
+    }
+
+private:
+    /// Microseconds of this thread alone: what else the machine does is no cost of the pixel.
+    [[nodiscard]] static double processor_time() {
+        timespec now{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+        return double(now.tv_sec) * 1e6 + double(now.tv_nsec) / 1e3;
+    }
+    [[nodiscard]] std::uint64_t counted() const {
+        const auto sum = [](const auto& counts) {
+            return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
+        };
+        switch (heat_) {
+        case Heat::tests: return sum(counters_.tests);
+        case Heat::cells: return counters_.nodes + counters_.cells + counters_.boxes;
+        case Heat::rays: return sum(counters_.rays);
+        case Heat::depth:
+        case Heat::time: break; // not counted
+        }
+        return 0;
+    }
+
+    Heat heat_;
+    const Counters& counters_;
+    std::uint64_t before_;
+    double start_;
+};
+
+} // namespace rayscope

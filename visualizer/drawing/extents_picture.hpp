@@ -1,0 +1,11 @@
+#pragma once
+// Projective extents over the image that they are extents of.
+
+#include "visualizer/drawing/picture.hpp"
+
+namespace rayscope::drawing {
+
+/// The rectangle of each object and the tiles that list any. At least 640 pixels wide: small images are enlarged.
+[[nodiscard]] Raster draw_extents(const ScreenExtents& extents, const Image& image, const std::string& title);
+
+} // namespace rayscope::drawing
