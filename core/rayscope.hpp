@@ -13,6 +13,7 @@
 #include "core/files/utf8.hpp"
 #include "core/image/image.hpp"
 #include "core/image/srgb.hpp"
+#include "core/povray/export.hpp"
 #include "core/scene/expand.hpp"
 #include "core/scene/name_trace.hpp"
 #include "core/scene/scene.hpp"

@@ -46,6 +46,10 @@ struct RenderCommandOptions {
     int threads = 0;
 };
 
+struct ExportOptions {
+    std::string scene, output;
+};
+
 struct AccuracyCommandOptions {
     std::string scene;
     std::string configurations = "default"; ///< as rayscope::configurations reads them
@@ -65,8 +69,8 @@ struct Help {
     std::string text;
 };
 
-using Options =
-    std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, AccuracyCommandOptions, CasesOptions>;
+using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, ExportOptions,
+                             AccuracyCommandOptions, CasesOptions>;
 
 /// Throws UsageError.
 [[nodiscard]] Options parse_options(int count, const char* const* arguments);

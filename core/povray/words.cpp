@@ -1,0 +1,43 @@
+#include "core/povray/words.hpp"
+
+#include "core/files/utf8.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rayscope::povray {
+
+// −0 is 0 to POV-Ray as well, and reads like a mistake.
+std::string number(double x) { return fmt::format("{}", x == 0 ? 0.0 : x); }
+
+std::string vector(const Vec3d& v) {
+    return fmt::format("<{}, {}, {}>", number(v.x), number(v.y), number(v.z));
+}
+
+std::string colour(const Colour& c) { return "rgb " + (c.x == c.y && c.y == c.z ? number(c.x) : vector(c)); }
+
+std::string matrix(const Mat4d& m) {
+    std::string text = "matrix <";
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) text += (column + row > 0 ? ", " : "") + number(m[column][row]);
+    return text + ">";
+}
+
+std::string comment(std::string_view text) {
+    std::string result = "// ";
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const bool plain = length > 0 && !steers_terminal(utf8_code_point(text.substr(0, length)));
+        if (plain)
+            result += text.substr(0, length);
+        else
+            result += '?';
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    // A backslash at the end would take the next line into the comment for some readers.
+    if (result.ends_with('\\')) result += ' ';
+    return result + '\n';
+}
+
+} // namespace rayscope::povray
