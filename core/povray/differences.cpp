@@ -1,5 +1,7 @@
 #include "core/povray/differences.hpp"
 
+#include "core/povray/flush_faces.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,6 +22,7 @@ public:
         find_in_materials();
         find_in_media();
         find_in_shapes();
+        find_in_compounds();
         return std::move(found_);
     }
 
@@ -51,30 +54,32 @@ private:
     }
 
     void find_in_media() {
-        std::set<std::uint32_t> told;
+        std::set<std::uint32_t> mirrors;
+        bool bends = false, overlap = false;
         for (const std::uint32_t object : world_.media.all()) {
             const Material& material = world_.material_of(object);
-            find_total_reflection(world_.objects[object].material, told);
+            const Colour share = material.reflection + material.transmission;
+            bends = bends || material.speed != world_.medium_speed;
+            if (material.speed != world_.medium_speed && minimum(share.x, minimum(share.y, share.z)) < 1)
+                mirrors.insert(world_.objects[object].material);
             world_.media.each_near(
-                object, [&](std::uint32_t other) { overlap_ = overlap_ || needs_rule(object, other); });
-            bent_ = bent_ || material.speed != world_.medium_speed;
+                object, [&](std::uint32_t other) { overlap = overlap || needs_rule(object, other); });
         }
-        if (world_.notes_media && bent_)
-            say("media = \"notes\" is left out: POV-Ray knows what a ray comes from where solids touch or "
-                "nest");
-        else if (overlap_)
-            say("where transparent solids overlap in part, POV-Ray takes the one that the ray entered last "
-                "for the medium");
+        // A ray that is reflected totally carries reflection + transmission here, all there.
+        if (!mirrors.empty())
+            say("total reflection mirrors all light, not reflection + transmission ({})", names(mirrors));
+        if (world_.notes_media && bends)
+            say("media = \"notes\" is left out: POV-Ray knows the medium that a ray comes from");
+        else if (overlap)
+            say("where transparent solids overlap in part, the medium is the one that the ray entered last");
     }
 
-    // Our ray that is reflected totally carries reflection + transmission.
-    void find_total_reflection(std::uint32_t id, std::set<std::uint32_t>& told) {
-        const SceneMaterial& material = scene_.materials[id];
-        const Colour share = material.reflection + material.transmission;
-        const double least = minimum(share.x, minimum(share.y, share.z));
-        if (material.speed == world_.medium_speed || least >= 1 || !told.insert(id).second) return;
-        say("material '{}' mirrors all light at total reflection, instead of reflection + transmission",
-            material.name);
+    [[nodiscard]] std::string names(const std::set<std::uint32_t>& materials) const {
+        if (materials.size() > 3) return fmt::format("{} materials", materials.size());
+        std::string text;
+        for (const std::uint32_t material : materials)
+            text += (text.empty() ? "" : ", ") + scene_.materials[material].name;
+        return text;
     }
 
     // Extents that reach out of each other on both sides: the solids themselves may cut each other.
@@ -91,18 +96,34 @@ private:
     }
 
     void find_in_shapes() {
-        std::size_t flattened = 0;
+        std::size_t smooth = 0, flattened = 0;
         for (const SceneGeneric& generic : scene_.generics)
             if (const auto* polygon = std::get_if<Polygon<double>>(&generic.shape);
-                polygon != nullptr && polygon->smooth() && !is_fan(*polygon))
-                ++flattened;
+                polygon != nullptr && polygon->smooth())
+                ++(is_fan(*polygon) ? smooth : flattened);
+        if (smooth > 0)
+            say("where a smooth polygon's normal turns away from the eye, POV-Ray turns it back, instead of "
+                "taking "
+                "the flat one");
         if (flattened > 0) say("{} smooth polygons that are not convex are shaded as flat ones", flattened);
+    }
+
+    void find_in_compounds() {
+        for (const SceneObject& drawn : scene_.drawn) {
+            if (!drawn.is_compound) continue;
+            const auto flush = flush_operands(scene_, drawn.index);
+            if (!flush) continue;
+            say("compound '{}': '{}' and '{}' have faces in one plane, where rounding decides, pixel by "
+                "pixel, "
+                "what POV-Ray sees",
+                scene_.compounds[drawn.index].name, scene_.generics[flush->first].name,
+                scene_.generics[flush->second].name);
+        }
     }
 
     const Scene& scene_;
     const WorldBase& world_;
     std::vector<std::string> found_;
-    bool overlap_ = false, bent_ = false;
 };
 
 } // namespace

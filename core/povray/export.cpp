@@ -92,7 +92,7 @@ private:
     std::string object(std::size_t id) {
         const SceneObject& drawn = scene_.drawn[id];
         const Object& object = world_.objects[id];
-        std::string modifiers = interior(object);
+        std::string modifiers = interior(id);
         if (!scene_.lights.empty() && !casts_shadows()) modifiers += " no_shadow";
         const std::string& name =
             drawn.is_compound ? scene_.compounds[drawn.index].name : scene_.generics[drawn.index].name;
@@ -104,11 +104,16 @@ private:
     }
 
     // Only ratios of speeds bend rays: POV-Ray's space has index 1, whatever fills ours.
-    [[nodiscard]] std::string interior(const Object& object) const {
+    [[nodiscard]] std::string interior(std::size_t id) const {
+        const Object& object = world_.objects[id];
         const Material& material = world_.material_of(object);
         if (!material.transmits()) return "";
-        return fmt::format(" interior {{ ior {} }}",
-                           number(object.has_volume ? world_.medium_speed / material.speed : 1));
+        double index = object.has_volume ? world_.medium_speed / material.speed : 1;
+        // A boundary that bends nothing would not count as a level of max_trace_level. These bend nothing that is seen,
+        // and differ between most neighbours: by the last digits of a float, which is what POV-Ray keeps.
+        constexpr std::size_t kinds = 31;
+        if (index == 1) index += double(id % kinds + 1) / (1 << 23);
+        return fmt::format(" interior {{ ior {} }}", number(index));
     }
 
     const Scene& scene_;

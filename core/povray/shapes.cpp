@@ -49,7 +49,8 @@ private:
         return whole(kind, matrix_ == Mat4d{1} ? what : what + " " + povray::matrix(matrix_));
     }
 
-    // The same fan of triangles in which our own normals are interpolated.
+    // The same fan of triangles in which our own normals are interpolated. In a mesh, since alone POV-Ray refuses those
+    // whose corners are turned to different sides.
     [[nodiscard]] std::string smooth(const Polygon<double>& polygon) const {
         const auto corner = [&](std::size_t i) {
             return vector(polygon.vertices()[i]) + ", " + vector(polygon.normals()[i]);
@@ -58,7 +59,7 @@ private:
         for (std::size_t i = 1; i + 1 < polygon.vertices().size(); ++i)
             triangles +=
                 fmt::format("smooth_triangle {{ {}, {}, {} }} ", corner(0), corner(i), corner(i + 1));
-        return moved("union", triangles);
+        return moved("mesh", triangles);
     }
 
     const Mat4d& matrix_;

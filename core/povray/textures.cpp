@@ -29,7 +29,9 @@ Paint paint_of(const SceneMaterial& wall) {
 std::string highlight(const SceneMaterial& wall) {
     const Colour& s = wall.specular;
     if (!(largest_component(s) > 0)) return "";
-    return fmt::format(" phong {} phong_size {}", number((s.x + s.y + s.z) / 3), number(wall.shininess));
+    return fmt::format(" phong {} phong_size {}",
+                       number(s.x == s.y && s.y == s.z ? s.x : (s.x + s.y + s.z) / 3),
+                       number(wall.shininess));
 }
 
 std::string mirror(const SceneMaterial& object) {
