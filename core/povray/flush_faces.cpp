@@ -1,6 +1,6 @@
 #include "core/povray/flush_faces.hpp"
 
-#include "core/math/transform.hpp"
+#include "core/povray/words.hpp"
 #include "core/scene/expand.hpp"
 
 namespace rayscope::povray {
@@ -28,10 +28,6 @@ std::vector<Vec3d> flat_faces(const Generic<double>& generic) {
     return {};
 }
 
-Vec3d moved(const Mat4d& matrix, const Vec3d& p) {
-    return p.x * Vec3d{matrix[0]} + p.y * Vec3d{matrix[1]} + p.z * Vec3d{matrix[2]} + Vec3d{matrix[3]};
-}
-
 Box<double> moved(const Mat4d& matrix, const Box<double>& box) {
     if (!box.bounded()) return Box<double>::everything();
     Box<double> result;
@@ -39,7 +35,7 @@ Box<double> moved(const Mat4d& matrix, const Box<double>& box) {
         Vec3d p;
         for (int axis = 0; axis < 3; ++axis)
             p[axis] = (corner >> axis & 1) != 0 ? box.high[axis] : box.low[axis];
-        result.include(moved(matrix, p));
+        result.include(moved_point(matrix, p));
     }
     return result;
 }
@@ -69,7 +65,7 @@ std::optional<std::pair<std::size_t, std::size_t>> flush_operands(const Scene& s
         const Generic<double>& shape = scene.generics[node.generic].shape;
         const Transform<double> transform(node.matrix);
         for (const Vec3d& face : flat_faces(shape))
-            faces.push_back({moved(node.matrix, face), transform.normal_to_world(face), leaves.size()});
+            faces.push_back({moved_point(node.matrix, face), transform.normal_to_world(face), leaves.size()});
         if (std::holds_alternative<Plane<double>>(shape))
             faces.push_back({Vec3d{node.matrix[3]}, transform.normal_to_world({0, 0, 1}), leaves.size()});
         const auto bounds = std::visit([](const auto& s) { return s.bounds(); }, shape);

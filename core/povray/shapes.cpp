@@ -31,14 +31,15 @@ public:
     std::string operator()(const Torus<double>& torus) const {
         return moved("torus", "1, " + number(torus.minor) + " sturm rotate 90*x");
     }
+    // Corners are moved here: POV-Ray takes a small polygon that a matrix would enlarge for none.
     std::string operator()(const Polygon<double>& polygon) const {
         if (polygon.smooth() && is_fan(polygon)) return smooth(polygon);
         std::string corners;
-        for (const Vec3d& v : polygon.vertices()) corners += (corners.empty() ? "" : ", ") + vector(v);
-        if (polygon.vertices().size() == 3) return moved("triangle", corners);
+        for (const Vec3d& v : polygon.vertices()) corners += (corners.empty() ? "" : ", ") + corner(v);
+        if (polygon.vertices().size() == 3) return whole("triangle", corners);
         // POV-Ray's outline ends where it began.
-        return moved("polygon", fmt::format("{}, {}, {}", polygon.vertices().size() + 1, corners,
-                                            vector(polygon.vertices().front())));
+        return whole("polygon", fmt::format("{}, {}, {}", polygon.vertices().size() + 1, corners,
+                                            corner(polygon.vertices().front())));
     }
 
 private:
@@ -52,15 +53,19 @@ private:
     // The same fan of triangles in which our own normals are interpolated. In a mesh, since alone POV-Ray refuses those
     // whose corners are turned to different sides.
     [[nodiscard]] std::string smooth(const Polygon<double>& polygon) const {
-        const auto corner = [&](std::size_t i) {
-            return vector(polygon.vertices()[i]) + ", " + vector(polygon.normals()[i]);
+        const Transform<double> transform(matrix_);
+        const auto pair = [&](std::size_t i) {
+            return corner(polygon.vertices()[i]) + ", " +
+                   vector(transform.normal_to_world(polygon.normals()[i]));
         };
         std::string triangles;
         for (std::size_t i = 1; i + 1 < polygon.vertices().size(); ++i)
-            triangles +=
-                fmt::format("smooth_triangle {{ {}, {}, {} }} ", corner(0), corner(i), corner(i + 1));
-        return moved("mesh", triangles);
+            triangles += fmt::format("{}smooth_triangle {{ {}, {}, {} }}", i > 1 ? " " : "", pair(0), pair(i),
+                                     pair(i + 1));
+        return whole("mesh", triangles);
     }
+
+    [[nodiscard]] std::string corner(const Vec3d& p) const { return vector(moved_point(matrix_, p)); }
 
     const Mat4d& matrix_;
     const std::string& modifiers_;

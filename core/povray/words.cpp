@@ -24,6 +24,10 @@ std::string matrix(const Mat4d& m) {
     return text + ">";
 }
 
+Vec3d moved_point(const Mat4d& m, const Vec3d& p) {
+    return p.x * Vec3d{m[0]} + p.y * Vec3d{m[1]} + p.z * Vec3d{m[2]} + Vec3d{m[3]};
+}
+
 std::string comment(std::string_view text) {
     std::string result = "// ";
     while (!text.empty()) {

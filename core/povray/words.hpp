@@ -20,6 +20,9 @@ namespace rayscope::povray {
 /// "matrix <…>": POV-Ray multiplies row vectors, so its rows are our columns; the last column is left out.
 [[nodiscard]] std::string matrix(const Mat4d& m);
 
+/// The point that a matrix moves p to.
+[[nodiscard]] Vec3d moved_point(const Mat4d& m, const Vec3d& p);
+
 /// A text from outside as a comment that ends with its line.
 [[nodiscard]] std::string comment(std::string_view text);
 
