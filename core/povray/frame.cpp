@@ -47,7 +47,7 @@ Frame frame_of(const Scene& scene, const WorldBase& world) {
     if (length(scene.camera.look_at) > farthest_off * sizes.reach) frame.origin = scene.camera.look_at;
     if (sizes.smallest < least_size || sizes.reach > longest_distance) {
         // Powers of ten keep the author's digits.
-        const double wanted = std::ceil(std::log10(1 / sizes.smallest));
+        const double wanted = sizes.smallest < least_size ? std::ceil(std::log10(1 / sizes.smallest)) : 0;
         const double possible = std::floor(std::log10(longest_distance / sizes.reach));
         frame.scale = std::pow(10, minimum(wanted, possible));
     }

@@ -5,11 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace rayscope::povray {
 
-// −0 is 0 to POV-Ray as well, and reads like a mistake.
-std::string number(double x) { return fmt::format("{}", x == 0 ? 0.0 : x); }
+std::string number(double x) {
+    if (!is_finite(x)) throw std::range_error("the scene holds numbers too large for POV-Ray");
+    return fmt::format("{}", x == 0 ? 0.0 : x); // −0 would read like a mistake
+}
 
 std::string vector(const Vec3d& v) {
     return fmt::format("<{}, {}, {}>", number(v.x), number(v.y), number(v.z));

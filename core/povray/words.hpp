@@ -8,7 +8,7 @@
 
 namespace rayscope::povray {
 
-/// The shortest decimals that are read back as the same number.
+/// The shortest decimals that are read back as the same number. Throws std::range_error unless it is finite.
 [[nodiscard]] std::string number(double x);
 
 /// "<x, y, z>"
