@@ -39,7 +39,7 @@ Luma render_by_povray(const std::string& text, int width, int height) {
     std::ofstream(folder.path() / "scene.pov") << text;
     std::ostringstream command;
     command << "cd '" << folder.path().string() << "' && povray +Iscene.pov +W" << width << " +H" << height
-            << " -A -D File_Gamma=sRGB +FP +Oimage.ppm >log 2>&1 </dev/null";
+            << " -A -D +WT1 File_Gamma=sRGB +FP +Oimage.ppm >log 2>&1 </dev/null";
     EXPECT_EQ(std::system(command.str().c_str()), 0) << content_of(folder.path() / "log");
     return read_ppm(folder.path() / "image.ppm");
 }
