@@ -9,14 +9,14 @@
 namespace rayscope {
 namespace {
 
-constexpr int window = 11;
+constexpr int window_side = 11, middle = window_side / 2;
 
-std::array<double, window> gaussian() {
+std::array<double, window_side> gaussian() {
     constexpr double sigma = 1.5;
-    std::array<double, window> weights{};
+    std::array<double, window_side> weights{};
     double sum = 0;
-    for (int i = 0; i < window; ++i) {
-        const double x = i - window / 2;
+    for (int i = 0; i < window_side; ++i) {
+        const double x = i - middle;
         sum += weights[std::size_t(i)] = std::exp(-x * x / (2 * sigma * sigma));
     }
     for (double& weight : weights) weight /= sum;
@@ -25,11 +25,11 @@ std::array<double, window> gaussian() {
 
 // The weighted mean around each pixel whose whole window lies in the picture: along rows, then along columns.
 Luma blurred(const Luma& picture) {
-    static const std::array<double, window> weights = gaussian();
-    const int width = picture.width - window + 1, height = picture.height - window + 1;
+    static const std::array<double, window_side> weights = gaussian();
+    const int width = picture.width - window_side + 1, height = picture.height - window_side + 1;
     const auto mean = [](const double* first, std::size_t stride) {
         double sum = 0;
-        for (std::size_t i = 0; i < window; ++i) sum += weights[i] * first[i * stride];
+        for (std::size_t i = 0; i < window_side; ++i) sum += weights[i] * first[i * stride];
         return sum;
     };
     std::vector<double> rows;
@@ -45,7 +45,7 @@ Luma blurred(const Luma& picture) {
     return result;
 }
 
-Luma product(const Luma& a, const Luma& b) {
+Luma multiplied(const Luma& a, const Luma& b) {
     Luma result = a;
     for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] *= b.values[i];
     return result;
@@ -71,10 +71,10 @@ Luma luma(const Image& image) {
 }
 
 double ssim(const Luma& a, const Luma& b) {
-    assert(a.width == b.width && a.height == b.height && a.width >= window && a.height >= window);
+    assert(a.width == b.width && a.height == b.height && a.width >= window_side && a.height >= window_side);
     constexpr double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
     const Luma mean_a = blurred(a), mean_b = blurred(b);
-    const Luma aa = blurred(product(a, a)), bb = blurred(product(b, b)), ab = blurred(product(a, b));
+    const Luma aa = blurred(multiplied(a, a)), bb = blurred(multiplied(b, b)), ab = blurred(multiplied(a, b));
     double sum = 0;
     for (std::size_t i = 0; i < ab.values.size(); ++i) {
         const double ma = mean_a.values[i], mb = mean_b.values[i];

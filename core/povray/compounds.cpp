@@ -5,6 +5,7 @@
 #include "core/scene/expand.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 namespace rayscope::povray {
 namespace {
@@ -83,8 +84,8 @@ private:
         close.modifiers = with_inverse(step);
         steps.push_back(std::move(close));
         const std::vector<std::size_t> operands = chain(step.node);
-        for (auto operand = operands.rbegin(); operand != operands.rend(); ++operand)
-            steps.push_back({*operand, step.depth + 1, false, "", false});
+        for (const std::size_t operand : std::views::reverse(operands))
+            steps.push_back({operand, step.depth + 1, false, "", false});
     }
 
     // A − B − C is one difference of three, and the same for unions and intersections: short to read, and shallow.

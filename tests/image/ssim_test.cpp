@@ -26,7 +26,7 @@ double by_definition(const Luma& a, const Luma& b) {
             const auto each = [&](const auto& use) {
                 for (int j = -5; j <= 5; ++j)
                     for (int i = -5; i <= 5; ++i) {
-                        const auto at = std::size_t((y + j) * a.width + x + i);
+                        const auto at = std::size_t(y + j) * std::size_t(a.width) + std::size_t(x + i);
                         use(std::exp(-(i * i + j * j) / 4.5), a.values[at], b.values[at]);
                     }
             };

@@ -48,6 +48,7 @@ double similarity(const fs::path& path, int longest) {
 // All at once, since POV-Ray mostly sleeps while it starts.
 void expect_agreement(const std::vector<fs::path>& scenes, double least, int longest = 400) {
     std::vector<std::future<double>> found;
+    found.reserve(scenes.size());
     for (const fs::path& scene : scenes)
         found.push_back(std::async(std::launch::async, similarity, scene, longest));
     for (std::size_t i = 0; i < scenes.size(); ++i) {
