@@ -135,6 +135,22 @@ TEST(PovrayExport, walls_of_glass_have_no_light_within) {
                 HasSubstr("texture { Material_1 } interior_texture { Inside_1 } interior { ior 1.125 }"));
 }
 
+TEST(PovrayExport, one_pigment_serves_ambient_and_diffuse_light) {
+    SceneBuilder builder;
+    SceneMaterial material = SceneBuilder::dark();
+    material.ambient = {0.25, 0, 0.5};
+    material.diffuse = {0.5, 0.25, 0};
+    builder.generic(Sphere<double>{}, Mat4d{1}, builder.material(material));
+    EXPECT_THAT(exported(builder).text, HasSubstr("pigment { rgb <1, 0.5, 1.52587890625e-05> }\n"
+                                                  "  finish { ambient rgb <0.25, 0, 32768> diffuse 0.5 }"));
+}
+
+TEST(PovrayExport, what_bends_nothing_counts_as_a_level) {
+    SceneBuilder builder;
+    builder.generic(Sphere<double>{}, Mat4d{1}, builder.clear(0, 1, 1));
+    EXPECT_THAT(exported(builder).text, HasSubstr("interior { ior 1.0000001192092896 }"));
+}
+
 TEST(PovrayExport, limits_count_the_eye_ray) {
     SceneBuilder builder = with_a_ball();
     builder.scene().limits = {5, 0.25, 100000};
