@@ -39,10 +39,11 @@ private:
             comment(name + ", written by rayscope export, for POV-Ray 3.7. At the size of rayscope's image:");
         text += comment(fmt::format("  povray +IFILE.pov +W{} +H{} -A File_Gamma=sRGB", scene_.camera.width,
                                     scene_.camera.height));
-        if (frame_.changes())
-            text += comment(fmt::format(
-                "Moved by {} and then scaled by {}: POV-Ray's shortest distance is fixed at 0.001.",
-                vector(-frame_.origin), number(frame_.scale)));
+        if (length(frame_.origin) > 0)
+            text += comment("Moved by " + vector(-frame_.origin) + ", to keep digits.");
+        if (frame_.scale != 1)
+            text += comment("Scaled by " + number(frame_.scale) +
+                            ": POV-Ray's shortest distance is fixed at 0.001.");
         if (!differences.empty()) text += comment("POV-Ray's image differs:");
         for (const std::string& difference : differences) text += comment("- " + difference);
         return text + '\n';

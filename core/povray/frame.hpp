@@ -11,7 +11,6 @@ struct Frame {
     double scale = 1;
     Vec3d origin{0};
 
-    [[nodiscard]] bool changes() const { return scale != 1 || length(origin) > 0; }
     [[nodiscard]] Vec3d point(const Vec3d& p) const { return scale * (p - origin); }
     [[nodiscard]] Mat4d matrix(Mat4d m) const;
 };
