@@ -14,6 +14,7 @@
 #include "core/image/image.hpp"
 #include "core/image/map.hpp"
 #include "core/image/srgb.hpp"
+#include "core/povray/export.hpp"
 #include "core/scene/expand.hpp"
 #include "core/scene/name_trace.hpp"
 #include "core/scene/scene.hpp"

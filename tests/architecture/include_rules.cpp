@@ -33,6 +33,7 @@ const std::map<std::string, Folders, std::less<>> stands_on = {
     {"scene", {"world", "files"}},
     {"cases", {"tracer", "scene"}},
     {"effects", {"scene"}},
+    {"povray", {"scene"}},
 };
 
 bool reaches(std::string_view from, std::string_view to) {

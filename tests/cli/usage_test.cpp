@@ -21,10 +21,11 @@ struct Mistake {
 
 TEST(Usage, mistakes_are_named_with_what_was_expected) {
     const std::vector<Mistake> mistakes{
-        {{}, "rayscope: no command; expected step, trace, render, accuracy or help"},
-        {{""}, "rayscope: no command; expected step, trace, render, accuracy or help"},
+        {{}, "rayscope: no command; expected step, trace, render, export, accuracy or help"},
+        {{""}, "rayscope: no command; expected step, trace, render, export, accuracy or help"},
         {{"stp"},
-         "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, trace, render, accuracy or "
+         "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, trace, render, export, "
+         "accuracy or "
          "help"},
         {{"help", "stp"}, "rayscope: unknown command 'stp'; did you mean 'step'?"},
         {{"help", "step", "trace"}, "rayscope: unexpected argument 'trace'"},
@@ -124,7 +125,7 @@ TEST(Usage, help_is_a_command_too) {
         return outcome.out;
     };
     EXPECT_EQ(text({"help"}), text({"--help"}));
-    for (const char* command : {"step", "trace", "render"}) {
+    for (const char* command : {"step", "trace", "render", "export"}) {
         EXPECT_EQ(text({"help", command}), text({command, "--help"}));
         EXPECT_THAT(text({"help", command}), HasSubstr(std::string("rayscope ") + command + " [OPTIONS]"));
     }

@@ -10,6 +10,7 @@ namespace rayscope::cli {
 [[nodiscard]] int trace(const TraceOptions& options);
 [[nodiscard]] int render(const RenderCommandOptions& options);
 [[nodiscard]] int extents(const ExtentsOptions& options);
+[[nodiscard]] int export_scene(const ExportOptions& options);
 [[nodiscard]] int accuracy(const AccuracyCommandOptions& options);
 [[nodiscard]] int cases(const CasesOptions& options);
 

@@ -87,6 +87,19 @@ CLI::App_p make_extents(Texts& texts) {
     return made;
 }
 
+CLI::App_p make_export(Texts& texts) {
+    auto made =
+        std::make_shared<CLI::App>("write a scene for another program, which makes the same image", "export");
+    CLI::App& command = *made;
+    add_text(command, "SCENE", texts.scene, "", scene_help);
+    add_text(command, "-o", texts.output, "FILE", "the file: .pov for POV-Ray 3.7");
+    command.footer(
+        "What the other program does in another way is said on stderr, and at the head of the file.\n\n"
+        "Example:\n  rayscope export glass_bowl -o bowl.pov\n"
+        "  povray +Ibowl.pov +W640 +H480 -A File_Gamma=sRGB\n");
+    return made;
+}
+
 CLI::App_p make_accuracy(Texts& texts) {
     auto made = std::make_shared<CLI::App>("tell what accuracy costs: time against error", "accuracy");
     CLI::App& command = *made;
@@ -118,8 +131,8 @@ CLI::App_p make_accuracy(Texts& texts) {
 } // namespace
 
 Commands make_commands(Texts& texts) {
-    return {make_step(texts), make_trace(texts), make_render(texts), make_extents(texts),
-            make_accuracy(texts)};
+    return {make_step(texts),    make_trace(texts),  make_render(texts),
+            make_extents(texts), make_export(texts), make_accuracy(texts)};
 }
 
 } // namespace rayscope::cli

@@ -116,6 +116,11 @@ RenderCommandOptions render_options(const Texts& texts) {
     return options;
 }
 
+ExportOptions export_options(const Texts& texts) {
+    if (!texts.scene) throw UsageError("export needs a scene: rayscope export SCENE -o scene.pov");
+    return {scene_text(texts), needed_output(texts, "export", "scene.pov")};
+}
+
 /// What measures a scene is no option of the cases.
 void refuse_scene_options(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options())
@@ -215,6 +220,7 @@ Options parse_options(int count, const char* const* arguments) {
     if (command.get_name() == "step") return step_options(texts);
     if (command.get_name() == "render") return render_options(texts);
     if (command.get_name() == "extents") return extents_options(texts);
+    if (command.get_name() == "export") return export_options(texts);
     if (texts.cases) {
         refuse_scene_options(command);
         return cases_options(texts);

@@ -54,6 +54,10 @@ struct ExtentsOptions {
     std::optional<Size> size;
 };
 
+struct ExportOptions {
+    std::string scene, output;
+};
+
 struct AccuracyCommandOptions {
     std::string scene;
     std::string configurations = "default"; ///< as rayscope::configurations reads them
@@ -74,7 +78,7 @@ struct Help {
 };
 
 using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, ExtentsOptions,
-                             AccuracyCommandOptions, CasesOptions>;
+                             ExportOptions, AccuracyCommandOptions, CasesOptions>;
 
 /// Throws UsageError.
 [[nodiscard]] Options parse_options(int count, const char* const* arguments);

@@ -1,0 +1,91 @@
+#include "core/povray/textures.hpp"
+
+#include "core/povray/words.hpp"
+
+#include <fmt/format.h>
+
+namespace rayscope::povray {
+namespace {
+
+// POV-Ray multiplies ambient and diffuse light by one pigment.
+struct Paint {
+    Colour pigment{1}, ambient{0};
+    double diffuse = 0;
+};
+
+Paint paint_of(const SceneMaterial& wall) {
+    // So little of a pigment that its diffuse light is not seen; it lets the ambient light through.
+    constexpr double trace = 1.0 / 65536;
+    Paint paint;
+    paint.diffuse = largest_component(wall.diffuse);
+    if (paint.diffuse > 0) paint.pigment = wall.diffuse / paint.diffuse;
+    for (int i = 0; i < 3; ++i) {
+        if (paint.pigment[i] == 0 && wall.ambient[i] > 0) paint.pigment[i] = trace;
+        if (wall.ambient[i] > 0) paint.ambient[i] = wall.ambient[i] / paint.pigment[i];
+    }
+    return paint;
+}
+
+std::string highlight(const SceneMaterial& wall) {
+    const Colour& s = wall.specular;
+    if (!(largest_component(s) > 0)) return "";
+    return fmt::format(" phong {} phong_size {}",
+                       number(s.x == s.y && s.y == s.z ? s.x : (s.x + s.y + s.z) / 3),
+                       number(wall.shininess));
+}
+
+std::string mirror(const SceneMaterial& object) {
+    if (!(largest_component(object.reflection) > 0)) return "";
+    return fmt::format(" reflection {{ {} }}", colour(object.reflection));
+}
+
+std::string opaque(const SceneMaterial& object, const SceneMaterial& wall) {
+    const Paint paint = paint_of(wall);
+    return fmt::format("texture {{\n  pigment {{ {} }}\n  finish {{ ambient {} diffuse {}{}{} }}\n}}\n",
+                       colour(paint.pigment), colour(paint.ambient), number(paint.diffuse), highlight(wall),
+                       mirror(object));
+}
+
+// Lets the colour through, and nothing else.
+std::string filter(const Colour& transmission, const std::string& finish) {
+    return fmt::format(
+        "texture {{\n  pigment {{ rgbf <{}, {}, {}, 1> }}\n  finish {{ ambient 0 diffuse 0{} }}\n}}\n",
+        number(transmission.x), number(transmission.y), number(transmission.z), finish);
+}
+
+// Two layers, the upper one last: paint that covers one half, and a filter that makes good for it. In one layer the
+// paint would get darker as the transmission nears 1, and could not have a colour of its own.
+std::string transparent(const SceneMaterial& object, const SceneMaterial& wall) {
+    const Paint paint = paint_of(wall);
+    const std::string shine = highlight(wall) + mirror(object);
+    if (!(paint.diffuse > 0) && !(largest_component(paint.ambient) > 0))
+        return filter(object.transmission, shine);
+    const Colour& p = paint.pigment;
+    return filter(2.0 * object.transmission, "") +
+           fmt::format("texture {{\n  pigment {{ rgbt <{}, {}, {}, 0.5> }}\n  finish {{ ambient {} diffuse "
+                       "{}{} }}\n}}\n",
+                       number(p.x), number(p.y), number(p.z), colour(2.0 * paint.ambient),
+                       number(2 * paint.diffuse), shine);
+}
+
+} // namespace
+
+std::string Textures::use(std::size_t object, std::size_t wall, bool has_volume) {
+    const SceneMaterial &o = scene_.materials[object], &w = scene_.materials[wall];
+    const bool transmits = largest_component(o.transmission) > 0;
+    const auto [at, is_new] = numbers_.try_emplace({object, wall}, numbers_.size() + 1);
+    const std::size_t n = at->second;
+    if (is_new) {
+        declarations_ += '\n' + comment(object == wall ? o.name : o.name + ", lit like " + w.name);
+        declarations_ +=
+            fmt::format("#declare Material_{} =\n{}", n, transmits ? transparent(o, w) : opaque(o, w));
+        if (transmits)
+            declarations_ += fmt::format("#declare Inside_{} =\n{}", n, filter(o.transmission, mirror(o)));
+    }
+    std::string text = fmt::format("texture {{ Material_{} }}", n);
+    // Our inner walls of what transmits have no light of their own.
+    if (transmits && has_volume) text += fmt::format(" interior_texture {{ Inside_{} }}", n);
+    return text;
+}
+
+} // namespace rayscope::povray
