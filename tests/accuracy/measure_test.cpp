@@ -35,7 +35,7 @@ TEST(ImageError, is_zero_for_the_reference_itself) {
 }
 
 TEST(ImageError, each_number_is_what_it_says) {
-    std::vector<float> map;
+    Map map;
     const ImageError e = image_error(image_of({0.5F, 0.5F, 0.25F, 0, 0, 0}),
                                      {{3, 10.5, 0.25, 0}, {1, 4, 0, 0}}, two_pixels(), &map);
     EXPECT_EQ(e.wrong_pixels, 1U); // an object where there is none
@@ -43,9 +43,9 @@ TEST(ImageError, each_number_is_what_it_says) {
     EXPECT_DOUBLE_EQ(e.t_rms, 0.75); // of the right pixel alone
     EXPECT_DOUBLE_EQ(e.relative_rmse, std::sqrt((0.25 * 0.25 + 1) / (0.75 + 1)));
     EXPECT_DOUBLE_EQ(e.energy_lost, 1.25 / 2.5);
-    ASSERT_EQ(map.size(), 2U);
-    EXPECT_FLOAT_EQ(float(e.delta_e_max), std::max(map[0], map[1]));
-    EXPECT_NEAR(e.delta_e_mean, (map[0] + map[1]) / 2, 1e-5);
+    ASSERT_EQ(map.values.size(), 2U);
+    EXPECT_FLOAT_EQ(float(e.delta_e_max), std::max(map.values[0], map.values[1]));
+    EXPECT_NEAR(e.delta_e_mean, (map.values[0] + map.values[1]) / 2, 1e-5);
     // sRGB bytes: 188 for 0.5, 137 for 0.25.
     EXPECT_NEAR(e.psnr.value(), 10 * std::log10(2 * 3 * 255.0 * 255 / (51.0 * 51 + 255.0 * 255)), 1e-12);
 }
@@ -131,8 +131,8 @@ TEST(Measure, tells_the_front_and_hands_out_the_maps) {
     const Reference reference = make_reference(b.scene(), options);
     MeasureOptions measuring;
     std::vector<std::size_t> maps;
-    measuring.on_map = [&](const Configuration&, const std::vector<float>& map) {
-        maps.push_back(map.size());
+    measuring.on_map = [&](const Configuration&, const Map& map) {
+        maps.push_back(map.values.size());
         return std::string("map");
     };
     const auto list =

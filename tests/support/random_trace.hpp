@@ -34,7 +34,7 @@ inline Event any_event(const Trace& trace) {
     const auto object = [&] { return any_below(trace.objects.size()); };
     const auto reason = [] { return Reason(any_below(6)); };
     const auto medium = [&] { return any_below_or_none(trace.media.size()); };
-    switch (*rc::gen::inRange(0, 15)) {
+    switch (*rc::gen::inRange(0, 19)) {
     case 0: return ObjectAccepted{object(), any_double()};
     case 1: {
         const int id = object();
@@ -67,6 +67,20 @@ inline Event any_event(const Trace& trace) {
         return Refracted{any_vector(), any_double(), any_double(), any_double(), any_double(), any_vector()};
     case 12: return TotallyReflected{any_vector(), any_double(), any_double(), any_double()};
     case 13: return NotSpawned{RayKind(any_below(4)), reason(), any_double(), any_double()};
+    case 14: return SearchBegan{StageKind(any_below(6)), any_int()};
+    case 15:
+        return PlaceEntered{PlaceKind(any_below(6)),
+                            any_int(),
+                            any_int(),
+                            any_below_or_none(trace.objects.size()),
+                            any_int(),
+                            any_vector(),
+                            any_vector(),
+                            any_double(),
+                            any_double()};
+    case 16: return PlaceLeft{any_int(), any_int()};
+    case 17:
+        return SearchEnded{SearchEnd(any_below(4)), any_double(), any_int(), any_int(), any_int(), any_int()};
     default: return RayFinished{any_vector(), any_vector(), any_int(), any_int()};
     }
 }
