@@ -32,8 +32,7 @@ private:
     static constexpr std::size_t deepest = 64;
 
     std::vector<Node8> nodes_;
-    std::vector<Bin> leaves_;
-    Bins<N> bins_;
+    Bins<N> bins_; // of the leaves
     std::vector<std::uint32_t> apart_;
     std::vector<std::uint32_t> all_; // bounded ones, for rays that no box can be relied on for
     double scale_ = 1, distortion_ = 3;
@@ -67,7 +66,7 @@ void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
         if (place.enter > reach) continue;
         if ((place.child & Node8::leaf) != 0) {
             ++counters.cells;
-            if (bins_.each(leaves_[place.child & ~Node8::leaf], ball_ray, counters,
+            if (bins_.each(place.child & ~Node8::leaf, ball_ray, search.reach(), counters,
                            [&](std::uint32_t object) { return search.test(object); }))
                 return;
             continue;
