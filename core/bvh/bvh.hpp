@@ -36,9 +36,8 @@ private:
     static constexpr std::size_t deepest = 64;
 
     std::vector<Node8> nodes_;
-    std::vector<Bin> leaves_;
     std::vector<std::uint32_t> places_of_nodes_, places_of_leaves_; // 8 · node + place, where each hangs
-    Bins<N> bins_;
+    Bins<N> bins_;                                                  // of the leaves
     std::vector<std::uint32_t> apart_;
     std::vector<std::uint32_t> all_; // bounded ones, for rays that no box can be relied on for
     double scale_ = 1, distortion_ = 3;
@@ -76,12 +75,12 @@ void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
         if constexpr (Search::recording) search.recorder().record(entered(place.child, search.ray()));
         if ((place.child & Node8::leaf) != 0) {
             ++counters.cells;
-            const Bin& bin = leaves_[place.child & ~Node8::leaf];
+            const std::uint32_t bin = place.child & ~Node8::leaf;
             const std::uint64_t before = counters.objects;
-            const bool done = bins_.each(bin, ball_ray, counters,
+            const bool done = bins_.each(bin, ball_ray, search.reach(), counters,
                                          [&](std::uint32_t object) { return search.test(object); });
             if constexpr (Search::recording)
-                search.recorder().record(place_left(before, counters.objects, bin.size()));
+                search.recorder().record(place_left(before, counters.objects, bins_.held(bin)));
             if (done) return;
             continue;
         }
@@ -120,7 +119,7 @@ template <Numbers N> PlaceEntered Bvh<N>::entered(std::uint32_t child, const Ray
         for (level = 1; place / 8 != 0; ++level) place = places_of_nodes_[place / 8];
     }
     const int held =
-        is_leaf ? int(leaves_[number].size())
+        is_leaf ? int(bins_.held(number))
                 : int(std::ranges::count_if(nodes_[number].low[0], [](float x) { return is_finite(x); }));
     const BoxSpan<T> inside = SlabRay<T>(ray, T(2 / scale_), T(distortion_)).span(box);
     return place_entered(is_leaf ? PlaceKind::cell : PlaceKind::node, Id(number), level, held, box,

@@ -46,12 +46,13 @@ template <Numbers N> void BvhBuilder<N>::build() {
             tree_.places_of_nodes_ = tree_.places_of_leaves_ = {0};
         }
     }
+    tree_.bins_.close();
     BvhStatistics& s = tree_.statistics_;
     s.nodes = tree_.nodes_.size();
-    s.leaves = tree_.leaves_.size();
+    s.leaves = tree_.bins_.size();
     s.apart = tree_.apart_.size();
     s.bytes =
-        tree_.nodes_.capacity() * sizeof(Node8) + tree_.leaves_.capacity() * sizeof(Bin) +
+        tree_.nodes_.capacity() * sizeof(Node8) +
         (tree_.places_of_nodes_.capacity() + tree_.places_of_leaves_.capacity()) * sizeof(std::uint32_t) +
         tree_.bins_.bytes() + tree_.all_.capacity() * sizeof(std::uint32_t);
     s.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -133,9 +134,8 @@ template <Numbers N> std::uint32_t BvhBuilder<N>::make_leaf(const Part& whole) {
     objects.clear();
     for (std::size_t i = whole.first; i < whole.last; ++i) objects.push_back(items_[i].object);
     std::ranges::sort(objects);
-    tree_.leaves_.push_back(tree_.bins_.add(world_, objects));
     tree_.places_of_leaves_.push_back(0);
-    return std::uint32_t(tree_.leaves_.size() - 1) | Node8::leaf;
+    return tree_.bins_.add(world_, objects) | Node8::leaf;
 }
 
 template <Numbers N> std::uint32_t BvhBuilder<N>::make(const Part& whole, int depth) {

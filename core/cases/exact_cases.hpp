@@ -125,4 +125,18 @@ struct CavityCase {
     double tolerance = 0; ///< of `end`, for K = 64
 };
 
+/// A part of a ray between two planes of a grid.
+struct ExactSegment {
+    double from = 0, to = 0;
+    std::vector<std::array<int, 3>> cells; ///< that it may be counted to: several where it runs in a plane
+};
+
+/// Kind `oct`: a ray with t ≥ 0 through the cells of a grid on [−1, 1]³.
+struct GridCase {
+    std::string id;
+    int depth = 0; ///< 2^depth cells along each axis
+    Ray<double> ray;
+    std::vector<ExactSegment> segments; ///< ascending; none where it misses or only touches
+};
+
 } // namespace rayscope

@@ -235,6 +235,17 @@ CavityCase cavity_case_from(const Json& json) {
     return result;
 }
 
+GridCase grid_case_from(const Json& json) {
+    GridCase result;
+    result.id = json.at("id").get<std::string>();
+    result.depth = json.at("depth").get<int>();
+    result.ray = ray_from(json);
+    for (const Json& segment : json.at("segments"))
+        result.segments.push_back({from_hex(segment.at("t0_hex")), from_hex(segment.at("t1_hex")),
+                                   segment.at("alt").get<std::vector<std::array<int, 3>>>()});
+    return result;
+}
+
 template <typename Case>
 std::vector<Case> read_lines(const std::filesystem::path& path, Case (*convert)(const Json&)) {
     std::istringstream file(read_file(path, largest_file));
@@ -268,6 +279,10 @@ std::vector<TriangleCase> read_triangle_cases(const std::filesystem::path& path)
 
 std::vector<CavityCase> read_cavity_cases(const std::filesystem::path& path) {
     return read_lines(path, cavity_case_from);
+}
+
+std::vector<GridCase> read_grid_cases(const std::filesystem::path& path) {
+    return read_lines(path, grid_case_from);
 }
 
 } // namespace rayscope

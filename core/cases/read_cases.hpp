@@ -12,5 +12,6 @@ namespace rayscope {
 [[nodiscard]] std::vector<RefractionCase> read_refraction_cases(const std::filesystem::path& path);
 [[nodiscard]] std::vector<TriangleCase> read_triangle_cases(const std::filesystem::path& path);
 [[nodiscard]] std::vector<CavityCase> read_cavity_cases(const std::filesystem::path& path);
+[[nodiscard]] std::vector<GridCase> read_grid_cases(const std::filesystem::path& path);
 
 } // namespace rayscope

@@ -16,11 +16,16 @@ struct OctreeLimits {
     double least_size = 0; ///< edge of a cell that is not divided any further, as a share of the whole
 };
 
+/// Why a limit is what it is, in a sentence each.
+struct OctreeReasons {
+    std::string depth, capacity, least_size;
+};
+
 struct OctreeStatistics {
-    OctreeLimits limits;               ///< those that were kept
-    std::string reason;                ///< why those, in a sentence
+    OctreeLimits limits; ///< those that were kept
+    OctreeReasons reasons;
     int depth = 0;                     ///< of the deepest leaf
-    std::size_t nodes = 0, leaves = 0; ///< leaves that hold anything
+    std::size_t nodes = 0, leaves = 0; ///< divided cells; leaves that hold anything
     std::size_t entries = 0;           ///< objects in all leaves, each as often as it is listed
     std::size_t apart = 0;             ///< objects without end, tested by every ray
     std::size_t bytes = 0;

@@ -1,17 +1,23 @@
 #pragma once
 // Space cut into eight, and each part into eight again, where there is anything in it.
 
-#include "core/octree/limits.hpp"
+#include "core/octree/node.hpp"
 #include "core/stage/bins.hpp"
+#include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
-#include "core/stage/slab_ray.hpp"
 
 namespace rayscope {
 
+/// Who watches a walk through an octree is told of the nodes on the way, and of what is left out as too far away.
+struct Unwatched {
+    void node(std::uint32_t /*place*/, const OctreeNode& /*node*/, const Cell& /*cell*/) const {}
+    void left_out() const {}
+};
+
 /// An octree in world space. (After the projection, where the notes put it, angles are others, and what lies behind the
-/// eye is nowhere: a mirrored ray could not use it.) A cell lists the objects whose surface may pass through it; an object
-/// without end, or one whose matrix distorts so much that rounding could carry its crossings far, is kept apart and
-/// tested by every ray.
+/// eye is nowhere: a mirrored ray could not use it.) A cell lists the objects whose surface may pass through it, and
+/// knows the extent of what they have in it; an object without end, or one whose matrix distorts so much that rounding
+/// could carry its crossings far, is kept apart and tested by every ray.
 template <Numbers N> class Octree : public StageBase<N, Octree<N>> {
 public:
     using T = ScalarOf<N>;
@@ -20,35 +26,57 @@ public:
 
     template <typename Search> [[gnu::noinline]] void look(const RayUse&, Search& search) const;
 
+    /// Calls enter(leaf, cell) for the leaves that a ray passes, nearest first, until it returns true.
+    /// @param reach called after each: what begins beyond this t is not looked at any more
+    template <typename Reach, typename Enter, typename Watch = Unwatched>
+    void walk(const SlabRay<double>& slabs, Counters& counters, const Reach& reach, const Enter& enter,
+              const Watch& watch = {}) const;
+
     [[nodiscard]] const OctreeStatistics& statistics() const { return statistics_; }
-    [[nodiscard]] const Box<T>& bounds() const { return bounds_; }
+    [[nodiscard]] const Cell& whole() const { return whole_; }
+    /// Made ready for walk(), if it is `reliable`.
+    [[nodiscard]] SlabRay<double> slabs(const Ray<T>& ray) const {
+        return {as<double>(ray), size_, distortion_};
+    }
 
 private:
     template <Numbers> friend class OctreeBuilder;
 
-    /// An inner node has eight neighbours in `nodes_` for children, from `first` on; child 4z + 2y + x is the upper half
-    /// along the axes of its bits. A leaf has a bin.
-    struct Node {
-        std::uint32_t first = 0;
-        std::uint8_t occupied = 0; ///< bit i: child i holds anything
-        bool leaf = true;
+    /// Records a walk.
+    template <typename Search> struct Record {
+        const Octree& octree;
+        const SlabRay<double>& slabs;
+        Search& search;
+
+        void place(PlaceKind kind, std::uint32_t number, std::size_t held, const Cell& cell) const {
+            const BoxSpan<double> inside = slabs.span(cell.box());
+            const int level = std::ilogb(octree.whole_.edge / cell.edge);
+            search.recorder().record(
+                place_entered(kind, Id(number), level, int(held), cell.box(), inside.enter, inside.exit));
+        }
+        void node(std::uint32_t number, const OctreeNode& node, const Cell& cell) const {
+            place(PlaceKind::node, number, std::size_t(std::popcount(unsigned(node.divided) | node.leaves)),
+                  cell);
+        }
+        void left_out() const { search.leave_out(); }
     };
-    /// A node on the way of a ray, with the t of its planes, axis by axis: nearer ones, farther ones.
+
+    static constexpr std::uint32_t leaf =
+        1U << 31; // set in Step::place where it is a leaf's number, not a node's
     struct Step {
-        std::uint32_t node;
-        Vec3<T> near, far;
+        std::uint32_t place;
+        std::uint16_t depth, child; ///< of the node whose part it is: that part of it
+        double enter;
     };
 
-    template <typename Search> bool walk(Search& search, const SlabRay<T>& slabs) const;
-    template <typename Search> bool visit(Search& search, const Bin& bin, const BallRay<T>& ray) const;
-
-    std::vector<Node> nodes_;
-    std::vector<Bin> leaves_;
-    Bins<N> bins_;
+    std::uint32_t root_ = leaf;
+    std::vector<OctreeNode> nodes_;
+    Bins<N> bins_;                     // of the leaves
     std::vector<std::uint32_t> apart_; // tested by every ray
     std::vector<std::uint32_t> all_;   // bounded ones, for rays that no box can be relied on for
-    Box<T> bounds_;
-    T size_ = T(0), distortion_ = T(3);
+    Cell whole_{Vec3d{0}, 0};
+    Box<double> bounds_;
+    double size_ = 0, distortion_ = 3;
     OctreeStatistics statistics_;
 };
 
@@ -57,79 +85,88 @@ template <typename Search>
 void Octree<N>::look(const RayUse& /*use*/, Search& search) const {
     for (const std::uint32_t object : apart_)
         if (search.test(object)) return;
-    if (nodes_.empty()) return;
-    const SlabRay<T> slabs(search.ray(), size_, distortion_);
-    if (slabs.reliable()) {
-        search.work().mailbox.open(this->world_.objects.size());
-        walk(search, slabs);
+    if (all_.empty()) return;
+    const SlabRay<double> ready = slabs(search.ray());
+    if (!ready.reliable()) {
+        for (const std::uint32_t object : all_)
+            if (search.test(object)) return;
         return;
     }
-    for (const std::uint32_t object : all_)
-        if (search.test(object)) return;
-}
-
-template <Numbers N>
-template <typename Search>
-bool Octree<N>::visit(Search& search, const Bin& bin, const BallRay<T>& ray) const {
     Work<T>& work = search.work();
-    return bins_.each(bin, ray, work.counters, [&](std::uint32_t object) {
-        return work.mailbox.first_visit(object) && search.test(object);
-    });
+    work.mailbox.open(this->world_.objects.size());
+    const BallRay<T> ball_ray(search.ray());
+    const auto reach = [&] { return double(search.reach()); };
+    const auto visit = [&](std::uint32_t bin) {
+        return bins_.each(bin, ball_ray, search.reach(), work.counters, [&](std::uint32_t object) {
+            return work.mailbox.first_visit(object) && search.test(object);
+        });
+    };
+    if constexpr (Search::recording) {
+        const Record<Search> record{*this, ready, search};
+        const auto recorded_visit = [&](std::uint32_t bin, const Cell& cell) {
+            record.place(PlaceKind::cell, bin, bins_.held(bin), cell);
+            const std::uint64_t before = work.counters.objects;
+            const bool done = visit(bin);
+            search.recorder().record(place_left(before, work.counters.objects, bins_.held(bin)));
+            return done;
+        };
+        walk(ready, work.counters, reach, recorded_visit, record);
+    } else {
+        walk(ready, work.counters, reach,
+             [&](std::uint32_t bin, const Cell& /*cell*/) { return visit(bin); });
+    }
 }
 
-// Nearest cells first. A hit is kept wherever it lies; cells that begin beyond it are not looked at. (Who accepts a hit
-// in the present cell only loses it where a surface touches a cell's face and rounding puts it on the other side.)
+// A hit is kept wherever it lies; what begins beyond it is not looked at. (Who accepts a hit in the present cell only
+// loses it where a surface touches a cell's face and rounding puts it on the other side.)
 template <Numbers N>
-template <typename Search>
-bool Octree<N>::walk(Search& search, const SlabRay<T>& slabs) const {
-    const BallRay<T> ball_ray(search.ray());
-    const Vec3<T>& inverse = slabs.inverse();
-    std::array<Step, 7 * OctreeLimits::deepest + 8> stack;
-    // Seen in the direction of the ray: where it runs down an axis the halves change places.
-    const auto planes = [&](T low, T high, T origin, T per_length) {
-        const T a = (low - slabs.margin() - origin) * per_length,
-                b = (high + slabs.margin() - origin) * per_length;
-        return std::pair{minimum(a, b), maximum(a, b)};
-    };
-    const auto [x0, x1] = planes(bounds_.low.x, bounds_.high.x, slabs.origin().x, inverse.x);
-    const auto [y0, y1] = planes(bounds_.low.y, bounds_.high.y, slabs.origin().y, inverse.y);
-    const auto [z0, z1] = planes(bounds_.low.z, bounds_.high.z, slabs.origin().z, inverse.z);
-    const unsigned mirror =
-        unsigned(inverse.x < T(0)) | unsigned(inverse.y < T(0)) << 1U | unsigned(inverse.z < T(0)) << 2U;
-    const Vec3<T> margin = slabs.margin() * absolute(inverse);
-    const auto enter = [](const Step& s) { return maximum(maximum(s.near.x, s.near.y), s.near.z); };
-    const auto exit = [](const Step& s) { return minimum(minimum(s.far.x, s.far.y), s.far.z); };
-    stack[0] = {0, {x0, y0, z0}, {x1, y1, z1}};
-    std::size_t top = enter(stack[0]) <= exit(stack[0]) && exit(stack[0]) >= T(0) ? 1 : 0;
-    T reach = search.reach();
-    while (top > 0) {
-        const Step step = stack[--top];
-        if (!(enter(step) <= reach)) continue;
-        const Node& node = nodes_[step.node];
-        if (node.leaf) {
-            ++search.work().counters.cells;
-            if (visit(search, leaves_[node.first], ball_ray)) return true;
-            reach = search.reach();
-            continue;
-        }
-        ++search.work().counters.nodes;
-        const Vec3<T> middle = (step.near + step.far) / T(2);
-        const Vec3<T> to_middle = middle + margin, from_middle = middle - margin;
-        // The part of each half that counts, axis by axis; then the eight parts, the nearest pushed last.
-        const std::array<T, 2> xs{step.near.x, from_middle.x}, xe{to_middle.x, step.far.x};
-        const std::array<T, 2> ys{step.near.y, from_middle.y}, ye{to_middle.y, step.far.y};
-        const std::array<T, 2> zs{step.near.z, from_middle.z}, ze{to_middle.z, step.far.z};
-        const std::array<T, 2> from{maximum(zs[0], T(0)), maximum(zs[1], T(0))},
-            to{minimum(ze[0], reach), minimum(ze[1], reach)};
-        for (unsigned i = 8; i-- > 0;) {
-            const unsigned child = i ^ mirror;
-            if ((node.occupied >> child & 1U) == 0) continue;
-            const std::size_t x = i & 1U, y = i >> 1U & 1U, z = i >> 2U;
-            if (maximum(maximum(xs[x], ys[y]), from[z]) <= minimum(minimum(xe[x], ye[y]), to[z]))
-                stack[top++] = {node.first + child, {xs[x], ys[y], zs[z]}, {xe[x], ye[y], ze[z]}};
-        }
+template <typename Reach, typename Enter, typename Watch>
+void Octree<N>::walk(const SlabRay<double>& slabs, Counters& counters, const Reach& reach, const Enter& enter,
+                     const Watch& watch) const {
+    double limit = reach();
+    if (!slabs.may_hit(bounds_, limit)) {
+        if (slabs.may_hit(bounds_)) watch.left_out();
+        return;
     }
-    return false;
+    const OctreeRay ray(slabs);
+    // Depth first: while its parts are still to come, the cell of a node stays where it is.
+    std::array<Cell, OctreeLimits::deepest + 2> cells;
+    std::array<Step, 7 * OctreeLimits::deepest + 8> stack;
+    std::array<double, 8> enters;
+    std::size_t top = 0;
+    std::uint32_t place = root_;
+    std::uint32_t depth = 0;
+    cells[0] = whole_;
+    for (;;) {
+        if ((place & leaf) != 0) {
+            ++counters.cells;
+            if (enter(place & ~leaf, cells[depth])) return;
+            limit = reach();
+        } else {
+            ++counters.nodes;
+            const OctreeNode& node = nodes_[place];
+            watch.node(place, node, cells[depth]);
+            const unsigned filled = unsigned(node.divided) | unsigned(node.leaves);
+            unsigned met = ray.in_ray_order(ray.meet(node, cells[depth], limit, enters) & filled);
+            while (met != 0) { // the nearest comes last, to be taken first
+                const auto last = unsigned(std::bit_width(met)) - 1U;
+                const unsigned child = last ^ ray.mirror();
+                const bool ends = (node.leaves >> child & 1U) != 0;
+                const std::uint32_t next = ends ? node.leaf_of(child) | leaf : node.node_of(child);
+                met &= ~(1U << last);
+                if (!ends) __builtin_prefetch(&nodes_[next]); // its turn comes late enough for that to help
+                stack[top++] = {next, std::uint16_t(depth), std::uint16_t(child), enters[child]};
+            }
+        }
+        for (;; watch.left_out()) {
+            if (top == 0) return;
+            if (stack[--top].enter <= limit) break;
+        }
+        const Step& step = stack[top];
+        place = step.place;
+        depth = step.depth + 1U;
+        cells[depth] = cells[step.depth].part(step.child);
+    }
 }
 
 } // namespace rayscope

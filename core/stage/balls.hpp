@@ -26,7 +26,7 @@ template <Numbers N>
 
 /// What all tests of one ray share.
 template <Scalar T> struct BallRay {
-    T x, y, z, dx, dy, dz, dd, inverse_dd;
+    T x, y, z, dx, dy, dz, dd, inverse_dd, inverse_length;
 
     explicit BallRay(const Ray<T>& ray)
         : x(ray.origin.x),
@@ -36,7 +36,8 @@ template <Scalar T> struct BallRay {
           dy(ray.direction.y),
           dz(ray.direction.z),
           dd(dot(ray.direction, ray.direction)),
-          inverse_dd(T(1) / dd) {}
+          inverse_dd(T(1) / dd),
+          inverse_length(T(1) / sqrt(dd)) {}
 };
 
 template <Numbers N> class Balls {
