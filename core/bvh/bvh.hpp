@@ -1,7 +1,7 @@
 #pragma once
 // Objects in boxes, boxes in boxes.
 
-#include "core/bvh/node8.hpp"
+#include "core/boxes/walk8.hpp"
 #include "core/stage/bins.hpp"
 #include "core/stage/search.hpp"
 
@@ -29,8 +29,6 @@ public:
 private:
     template <Numbers> friend class BvhBuilder;
 
-    static constexpr std::size_t deepest = 64;
-
     std::vector<Node8> nodes_;
     std::vector<Bin> leaves_;
     Bins<N> bins_;
@@ -54,36 +52,13 @@ void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
     }
     const BallRay<T> ball_ray(search.ray());
     Counters& counters = search.work().counters;
-    struct Ahead {
-        std::uint32_t child;
-        float enter;
-    };
-    std::array<Ahead, 7 * deepest + 8> stack;
-    std::size_t top = 0;
-    stack[top++] = {0, 0};
-    while (top > 0) {
-        const Ahead place = stack[--top];
-        const float reach = ray.reach(double(search.reach()));
-        if (place.enter > reach) continue;
-        if ((place.child & Node8::leaf) != 0) {
+    walk8(
+        nodes_, ray, [&] { return ray.reach(double(search.reach())); }, counters.nodes,
+        [&](std::uint32_t leaf) {
             ++counters.cells;
-            if (bins_.each(leaves_[place.child & ~Node8::leaf], ball_ray, counters,
-                           [&](std::uint32_t object) { return search.test(object); }))
-                return;
-            continue;
-        }
-        ++counters.nodes;
-        const Node8& node = nodes_[place.child];
-        const auto enter = ray.enter(node, reach);
-        // Farthest first, so that the nearest is taken next.
-        const std::size_t bottom = top;
-        for (std::size_t i = 0; i < 8; ++i) {
-            if (!(enter[i] < std::numeric_limits<float>::infinity())) continue;
-            std::size_t at = top++;
-            for (; at > bottom && stack[at - 1].enter < enter[i]; --at) stack[at] = stack[at - 1];
-            stack[at] = {node.child[i], enter[i]};
-        }
-    }
+            return bins_.each(leaves_[leaf], ball_ray, counters,
+                              [&](std::uint32_t object) { return search.test(object); });
+        });
 }
 
 } // namespace rayscope

@@ -14,8 +14,13 @@ void append_crossings(const World<N>& world, std::uint32_t solid, const Ray<T>& 
                       const LeavingSurface<T>* leaving, Work<T>& work) {
     const Solid<N>& s = world.solids[solid];
     ++work.counters.tests[s.shape.index()];
-    for (const Interval<T>& inside :
-         s.intervals(ray, leaving != nullptr ? leaving->face_of(solid) : no_face)) {
+    const int start = leaving != nullptr ? leaving->face_of(solid) : no_face;
+    if (const auto* mesh = std::get_if<Mesh<N>>(&s.shape)) {
+        mesh->crossings(s.transform.to_object(ray), start, work.of_mesh);
+        for (const MeshCrossing<T>& c : work.of_mesh) work.scratch.append(s.crossing_of(c, solid));
+        return;
+    }
+    for (const Interval<T>& inside : s.intervals(ray, start)) {
         work.scratch.append({inside.enter, {solid, std::uint16_t(inside.enter_face), false}, true});
         if (inside.enter < inside.exit)
             work.scratch.append({inside.exit, {solid, std::uint16_t(inside.exit_face), false}, false});
@@ -163,6 +168,17 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     const auto hit = [&](const Crossing<T>& c, bool crowded) {
         return Hit<T>{c.t, object, c.surface, c.entering, crowded};
     };
+    if (leaving != nullptr && !o.is_compound && !leaving->crosses && !leaving->starts_inside) {
+        const Solid<N>& solid = world.solids[o.index];
+        if (const auto* mesh = std::get_if<Mesh<N>>(&solid.shape)) {
+            ++work.counters.objects;
+            ++work.counters.tests[solid.shape.index()];
+            const auto first = mesh->closest(
+                solid.transform.to_object(ray), range, leaving->face_of(o.index),
+                [&](const auto& c) { return is_start(world, ray, solid.crossing_of(c, o.index), *leaving); });
+            return first ? std::optional(hit(solid.crossing_of(*first, o.index), false)) : std::nullopt;
+        }
+    }
     if (o.is_compound || leaving != nullptr) {
         const auto first =
             first_crossing(world, ray, crossings(world, object, ray, leaving, work), range, leaving);
