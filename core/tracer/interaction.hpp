@@ -28,19 +28,23 @@ template <Numbers N> struct Interaction {
     bool leaves_transmitting_solid = false;
 };
 
-/// Unit normal of a smooth polygon or triangle where it was hit, turned against the ray like its face's own, `flat`;
-/// nothing for all other surfaces.
+template <Numbers N> [[nodiscard]] bool is_smooth(const Solid<N>& solid) {
+    if (const auto* polygon = std::get_if<Polygon<N>>(&solid.shape)) return polygon->smooth();
+    const auto* mesh = std::get_if<Mesh<N>>(&solid.shape);
+    return mesh != nullptr && mesh->smooth();
+}
+
+/// Unit normal of a smooth polygon or mesh where it was hit, turned against the ray like its face's own, `flat`; nothing
+/// where it can't be used.
 /// Interpolated it belongs to a curved surface that is not there, so the face's own normal guards it: it does not turn
 /// away from the ray, since the eye sees the front, nor so far aside that the mirrored ray would lead through the face. Such a
 /// ray is turned up over the face by as much as it would dip below.
 template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] std::optional<Vec3<T>> smooth_normal(const Solid<N>& solid, const Ray<T>& ray,
-                                                   const Hit<T>& hit, const Vec3<T>& incoming,
-                                                   const Vec3<T>& flat) {
+[[nodiscard, gnu::noinline]] std::optional<Vec3<T>> smooth_normal(const Solid<N>& solid, const Ray<T>& ray,
+                                                                  const Hit<T>& hit, const Vec3<T>& incoming,
+                                                                  const Vec3<T>& flat) {
     const auto* polygon = std::get_if<Polygon<N>>(&solid.shape);
     const auto* mesh = std::get_if<Mesh<N>>(&solid.shape);
-    const bool smooth = (polygon != nullptr && polygon->smooth()) || (mesh != nullptr && mesh->smooth());
-    if (!smooth) return std::nullopt;
     const Vec3<T> p = solid.transform.to_object(ray).at(hit.t);
     Vec3<T> n = solid.transform.normal_to_world(
         polygon != nullptr ? polygon->shading_normal(p) : mesh->shading_normal(p, hit.surface.face));
@@ -114,10 +118,12 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     if (at.hit.surface.flipped) at.normal = -at.normal;
     const bool against = object.has_volume ? at.hit.entering : dot(at.normal, at.incoming) < T(0);
     at.facing = at.flat = against ? at.normal : -at.normal;
-    if (const auto smooth = smooth_normal(solid, ray, at.hit, at.incoming, at.flat)) {
-        at.smooth = true;
-        at.facing = *smooth;
-        at.normal = against ? at.facing : -at.facing;
+    if (is_smooth(solid)) {
+        if (const auto smooth = smooth_normal(solid, ray, at.hit, at.incoming, at.flat)) {
+            at.smooth = true;
+            at.facing = *smooth;
+            at.normal = against ? at.facing : -at.facing;
+        }
     }
     at.error_bound = solid.error_bound(ray, at.hit.t, at.hit.surface.face);
     at.leaves_transmitting_solid = object.has_volume && !at.hit.entering && at.material->transmits();

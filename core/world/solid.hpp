@@ -71,10 +71,7 @@ template <Numbers N> struct Solid {
     /// The first crossing with t in the range; the query of the hot path, for solids that are no operands.
     [[nodiscard]] std::optional<Crossing<T>> closest(const Ray<T>& ray, const Range<T>& range,
                                                      std::uint32_t index) const {
-        if (const auto* mesh = std::get_if<Mesh<N>>(&shape)) {
-            const auto first = mesh->closest(transform.to_object(ray), range);
-            return first ? std::optional(crossing_of(*first, index)) : std::nullopt;
-        }
+        if (std::holds_alternative<Mesh<N>>(shape)) return closest_of_mesh(ray, range, index);
         for (const Interval<T>& inside : intervals(ray)) {
             if (range.contains(inside.enter))
                 return Crossing<T>{inside.enter, {index, std::uint16_t(inside.enter_face), false}, true};
@@ -82,6 +79,13 @@ template <Numbers N> struct Solid {
                 return Crossing<T>{inside.exit, {index, std::uint16_t(inside.exit_face), false}, false};
         }
         return std::nullopt;
+    }
+
+    // Not inlined, so that the others' query stays small.
+    [[nodiscard, gnu::noinline]] std::optional<Crossing<T>>
+    closest_of_mesh(const Ray<T>& ray, const Range<T>& range, std::uint32_t index) const {
+        const auto first = std::get<Mesh<N>>(shape).closest(transform.to_object(ray), range);
+        return first ? std::optional(crossing_of(*first, index)) : std::nullopt;
     }
 
     /// A triangle of a mesh that is this solid.
