@@ -3,6 +3,7 @@
 #include "core/files/atomic_file.hpp"
 #include "core/math/hash.hpp"
 #include "core/scene/build.hpp"
+#include "core/scene/mesh_file.hpp"
 #include "core/scene/name_trace.hpp"
 #include "core/scene/read_nff.hpp"
 #include "core/scene/read_toml.hpp"
@@ -98,7 +99,8 @@ Scene load_scene(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
     if (extension == ".toml") return read_toml(path);
     if (extension == ".nff") return read_nff(path);
-    throw InputError(path.string(), {}, "not a scene: its name must end in .toml or .nff");
+    if (is_mesh_file(path)) return mesh_scene(path);
+    throw InputError(path.string(), {}, "not a scene: its name must end in .toml, .nff, .obj or .ply");
 }
 
 Workbench make_workbench(Scene scene) {

@@ -37,7 +37,7 @@ struct Workbench {
     World<double> world;
 };
 
-/// Reads .toml or .nff, by extension. Throws InputError.
+/// Reads .toml, .nff, or a mesh, .obj or .ply, by extension. Throws InputError.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& path);
 [[nodiscard]] Workbench open(const std::filesystem::path& path);
 

@@ -1,7 +1,7 @@
 #pragma once
 // Objects in boxes, boxes in boxes.
 
-#include "core/bvh/node8.hpp"
+#include "core/boxes/walk8.hpp"
 #include "core/stage/bins.hpp"
 #include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
@@ -31,9 +31,15 @@ public:
 private:
     template <Numbers> friend class BvhBuilder;
 
-    [[nodiscard]] PlaceEntered entered(std::uint32_t child, const Ray<T>& ray) const;
+    /// Records a walk.
+    template <typename Search> struct Record {
+        const Bvh& bvh;
+        Search& search;
 
-    static constexpr std::size_t deepest = 64;
+        void node(std::uint32_t number) const { search.recorder().record(bvh.entered(number, search.ray())); }
+        void left_out() const { search.leave_out(); }
+    };
+    [[nodiscard]] PlaceEntered entered(std::uint32_t child, const Ray<T>& ray) const;
 
     std::vector<Node8> nodes_;
     std::vector<std::uint32_t> places_of_nodes_, places_of_leaves_; // 8 · node + place, where each hangs
@@ -58,43 +64,23 @@ void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
     }
     const BallRay<T> ball_ray(search.ray());
     Counters& counters = search.work().counters;
-    struct Ahead {
-        std::uint32_t child;
-        float enter;
+    const auto reach = [&] { return ray.reach(double(search.reach())); };
+    const auto visit = [&](std::uint32_t bin) {
+        ++counters.cells;
+        return bins_.each(bin, ball_ray, search.reach(), counters,
+                          [&](std::uint32_t object) { return search.test(object); });
     };
-    std::array<Ahead, 7 * deepest + 8> stack;
-    std::size_t top = 0;
-    stack[top++] = {0, 0};
-    while (top > 0) {
-        const Ahead place = stack[--top];
-        const float reach = ray.reach(double(search.reach()));
-        if (place.enter > reach) {
-            if constexpr (Search::recording) search.leave_out();
-            continue;
-        }
-        if constexpr (Search::recording) search.recorder().record(entered(place.child, search.ray()));
-        if ((place.child & Node8::leaf) != 0) {
-            ++counters.cells;
-            const std::uint32_t bin = place.child & ~Node8::leaf;
+    if constexpr (Search::recording) {
+        const auto recorded_visit = [&](std::uint32_t bin) {
+            search.recorder().record(entered(bin | Node8::leaf, search.ray()));
             const std::uint64_t before = counters.objects;
-            const bool done = bins_.each(bin, ball_ray, search.reach(), counters,
-                                         [&](std::uint32_t object) { return search.test(object); });
-            if constexpr (Search::recording)
-                search.recorder().record(place_left(before, counters.objects, bins_.held(bin)));
-            if (done) return;
-            continue;
-        }
-        ++counters.nodes;
-        const Node8& node = nodes_[place.child];
-        const auto enter = ray.enter(node, reach);
-        // Farthest first, so that the nearest is taken next.
-        const std::size_t bottom = top;
-        for (std::size_t i = 0; i < 8; ++i) {
-            if (!(enter[i] < std::numeric_limits<float>::infinity())) continue;
-            std::size_t at = top++;
-            for (; at > bottom && stack[at - 1].enter < enter[i]; --at) stack[at] = stack[at - 1];
-            stack[at] = {node.child[i], enter[i]};
-        }
+            const bool done = visit(bin);
+            search.recorder().record(place_left(before, counters.objects, bins_.held(bin)));
+            return done;
+        };
+        walk8(nodes_, ray, reach, counters.nodes, recorded_visit, Record<Search>{*this, search});
+    } else {
+        walk8(nodes_, ray, reach, counters.nodes, visit);
     }
 }
 

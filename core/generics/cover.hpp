@@ -107,6 +107,12 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 template <Numbers N, Scalar T = ScalarOf<N>> [[nodiscard]] Cover of(const OpenCone<N>& c, const Box<T>& box) {
     return of(Cone<N>{c.top}, box) == Cover::partial ? Cover::partial : Cover::empty;
 }
+/// Where no triangle is, all of the box is what its middle is.
+template <Numbers N, Scalar T = ScalarOf<N>> [[nodiscard]] Cover of(const Mesh<N>& m, const Box<T>& box) {
+    if (!m.bounds().overlaps(box)) return Cover::empty;
+    if (m.triangles().any_in(as<double>(box))) return Cover::partial;
+    return m.contains((box.low + box.high) / T(2)) ? Cover::full : Cover::empty;
+}
 
 } // namespace cover
 

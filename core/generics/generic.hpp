@@ -3,6 +3,7 @@
 // To add one: write its struct with the members that Sphere has, and name it here.
 
 #include "core/generics/cube.hpp"
+#include "core/generics/mesh.hpp"
 #include "core/generics/open_tube.hpp"
 #include "core/generics/plane.hpp"
 #include "core/generics/polygon.hpp"
@@ -15,7 +16,7 @@ namespace rayscope {
 
 template <Numbers N>
 using Generic = std::variant<Sphere<N>, Plane<N>, Cylinder<N>, Cone<N>, Cube<N>, Torus<N>, Polygon<N>,
-                             OpenCylinder<N>, OpenCone<N>>;
+                             OpenCylinder<N>, OpenCone<N>, Mesh<N>>;
 
 inline constexpr std::size_t generic_kinds = std::variant_size_v<Generic<double>>;
 

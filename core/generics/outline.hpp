@@ -44,6 +44,17 @@ public:
         }
         return b.above ? side > T(0) : side < T(0);
     }
+    /// The same, signed by the way in which it crosses: the sum over an outline is how often it runs around the ray,
+    /// counter-clockwise as seen from above.
+    [[nodiscard]] int turn(const Corner& a, const Corner& b) const {
+        return crosses(a, b) ? (b.above ? 1 : -1) : 0;
+    }
+    /// Whether the ray runs upwards, away from who looks from above.
+    [[nodiscard]] bool runs_up() const { return ray_.direction[z_] > T(0); }
+    /// t of a vertex's foot on the ray.
+    [[nodiscard]] T depth(const Vec3<T>& vertex) const {
+        return (vertex[z_] - ray_.origin[z_]) / ray_.direction[z_];
+    }
 
 private:
     template <Scalar> friend class OutlineView;

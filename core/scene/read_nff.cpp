@@ -1,6 +1,7 @@
 #include "core/scene/read_nff.hpp"
 
 #include "core/math/decimals.hpp"
+#include "core/scene/mesh_builder.hpp"
 #include "core/scene/nff_tokens.hpp"
 #include "core/scene/nff_tube.hpp"
 #include "core/scene/polygon_check.hpp"
@@ -183,13 +184,28 @@ private:
             vertices.push_back(tokens_.vector("a vertex's coordinates"));
             if (with_normals) normals.push_back(tokens_.vector("a vertex's normal"));
         }
-        if (const auto problem = polygon_problem(vertices, decimals::few_digits_flatness))
-            return warn(command, *problem + "; it is left out");
         if (std::any_of(normals.begin(), normals.end(), [](const Vec3d& n) { return length(n) == 0; })) {
             warn(command, "a normal has length zero: the polygon is shaded as a flat one");
             normals.clear();
         }
-        draw(command, Polygon<double>(std::move(vertices), std::move(normals)), Mat4d{1});
+        add_polygon(command, std::move(vertices), std::move(normals));
+    }
+
+    // A patch need not be flat: then it is cut into triangles, which are.
+    void add_polygon(const NffToken& command, std::vector<Vec3d> vertices, std::vector<Vec3d> normals) {
+        const auto problem = polygon_problem(vertices, decimals::few_digits_flatness);
+        if (!problem)
+            return draw(command, Polygon<double>(std::move(vertices), std::move(normals)), Mat4d{1});
+        const bool only_bent = vertices.size() <= mesh_limits::most_corners &&
+                               !polygon_problem(vertices, infinity<double>).has_value();
+        if (vertices.size() <= 3 || !only_bent) return warn(command, *problem + "; it is left out");
+        Triangulation triangulation;
+        for (const MeshData::Corners& t : triangulation.of(vertices)) {
+            const auto three = [&](const std::vector<Vec3d>& of) {
+                return of.empty() ? of : std::vector<Vec3d>{of[t[0]], of[t[1]], of[t[2]]};
+            };
+            add_polygon(command, three(vertices), three(normals));
+        }
     }
 
     void draw(const NffToken& command, Generic<double> shape, const Mat4d& matrix) {

@@ -1,4 +1,5 @@
 #include "core/csg/expression.hpp"
+#include "core/scene/mesh_file.hpp"
 #include "core/scene/toml_sections.hpp"
 #include "core/scene/wording.hpp"
 
@@ -86,6 +87,9 @@ private:
         if (node.operation != Operation::leaf) return result;
         if (const auto generic = generics_.find(node.name); generic != generics_.end()) {
             const auto& shape = scene_.generics[generic->second].shape;
+            if (const auto* mesh = std::get_if<Mesh<double>>(&shape); mesh != nullptr && !mesh->solid)
+                source_.fail(place, fmt::format("'{}' {}; only a closed mesh can be an operand", node.name,
+                                                hole_text(mesh->triangles())));
             if (!is_solid(shape))
                 source_.fail(place, fmt::format("'{}' is a {}: a surface without volume can't be an operand",
                                                 node.name, generic_name(shape)));

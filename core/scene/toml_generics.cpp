@@ -1,16 +1,17 @@
 #include "core/math/decimals.hpp"
+#include "core/scene/mesh_file.hpp"
 #include "core/scene/polygon_check.hpp"
 #include "core/scene/toml_sections.hpp"
+#include "core/scene/wording.hpp"
 
 #include <fmt/format.h>
 
 namespace rayscope {
 namespace {
 
-// Vertices are written in decimals: this much of the polygon's size may be rounding.
-
-const std::vector<std::string_view> shapes{"sphere", "plane", "cylinder", "cone",
-                                           "cube",   "torus", "polygon",  "triangle"};
+const std::vector<std::string_view> shapes{"sphere", "plane",   "cylinder", "cone", "cube",
+                                           "torus",  "polygon", "triangle", "mesh"};
+using Meshes = std::map<std::string, std::shared_ptr<const TriangleMesh>>; // by path: read once
 const std::vector<std::string_view> common_keys{"shape", "material", "transform", "priority", "visible"};
 
 std::vector<std::string_view> with(std::vector<std::string_view> keys,
@@ -29,7 +30,23 @@ Generic<double> read_polygon(const TomlTable& table, std::string_view shape, Pla
     return Polygon<double>(std::move(vertices));
 }
 
-Generic<double> read_shape(const TomlTable& table, Place place) {
+Generic<double> read_mesh_shape(const TomlTable& table, Place place, Meshes& meshes) {
+    const TomlValue value = table.require("file", place, "file = \"bunny.ply\"");
+    const std::filesystem::path path =
+        std::filesystem::path(table.source().file()).parent_path() / std::filesystem::path(value.string());
+    std::shared_ptr<const TriangleMesh>& mesh = meshes[path.string()];
+    if (mesh == nullptr) {
+        try {
+            mesh = read_mesh(path);
+        } catch (const InputError& error) {
+            if (error.place.line != 0) throw; // the mesh file's own line says more
+            value.fail(fmt::format("mesh {}: {}", in_quotes(path.string()), error.message));
+        }
+    }
+    return Mesh<double>(mesh);
+}
+
+Generic<double> read_shape(const TomlTable& table, Place place, Meshes& meshes) {
     const TomlValue value = table.require("shape", place, "shape = \"sphere\"");
     const std::string_view shape = shapes[value.choice(shapes)];
     const std::string kind = fmt::format("a {}", shape);
@@ -52,6 +69,10 @@ Generic<double> read_shape(const TomlTable& table, Place place) {
         table.allow_only(kind, with(common_keys, {"vertices"}));
         return read_polygon(table, shape, place);
     }
+    if (shape == "mesh") {
+        table.allow_only(kind, with(common_keys, {"file"}));
+        return read_mesh_shape(table, place, meshes);
+    }
     table.allow_only(kind, common_keys);
     if (shape == "sphere") return Sphere<double>{};
     if (shape == "plane") return Plane<double>{};
@@ -59,13 +80,13 @@ Generic<double> read_shape(const TomlTable& table, Place place) {
     return Cube<double>{};
 }
 
-SceneGeneric read_generic(const TomlEntry& entry, const NameIndex& materials) {
+SceneGeneric read_generic(const TomlEntry& entry, const NameIndex& materials, Meshes& meshes) {
     const TomlTable table = entry.value.table();
-    table.allow_only("a generic", with(common_keys, {"minor_radius", "top_radius", "vertices"}));
+    table.allow_only("a generic", with(common_keys, {"minor_radius", "top_radius", "vertices", "file"}));
     SceneGeneric generic;
     generic.name = entry.key;
     generic.place = entry.place;
-    generic.shape = read_shape(table, entry.place);
+    generic.shape = read_shape(table, entry.place, meshes);
     if (const auto material = table.find("material"))
         generic.material = named(*material, "material", materials);
     if (const auto transform = table.find("transform")) generic.matrix = read_transform(*transform);
@@ -79,10 +100,11 @@ SceneGeneric read_generic(const TomlEntry& entry, const NameIndex& materials) {
 NameIndex read_generics(const TomlTable& root, const NameIndex& materials, Scene& scene,
                         Visibility& visibility) {
     NameIndex index;
+    Meshes meshes;
     if (const auto section = root.find("generics"))
         for (const TomlEntry& entry : section->table().named_entries("a generic")) {
             index.emplace(entry.key, scene.generics.size());
-            scene.generics.push_back(read_generic(entry, materials));
+            scene.generics.push_back(read_generic(entry, materials, meshes));
             const auto visible = entry.value.table().find("visible");
             visibility.generics.push_back(visible ? std::optional(visible->boolean()) : std::nullopt);
         }

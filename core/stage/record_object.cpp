@@ -24,12 +24,13 @@ void record_node(std::uint32_t object, std::size_t node, Crossings<T> list, bool
 template <Numbers N, Scalar T = ScalarOf<N>>
 bool line_misses(const World<N>& world, const Compound& compound, const Ray<T>& ray,
                  const LeavingSurface<T>* leaving) {
+    Work<T> work;
+    work.scratch.push();
     for (const CompoundNode& node : compound.nodes)
-        if (node.operation == Operation::leaf &&
-            world.solids[node.solid]
-                    .intervals(ray, leaving != nullptr ? leaving->face_of(node.solid) : no_face)
-                    .count > 0)
-            return false;
+        if (node.operation == Operation::leaf) {
+            append_crossings(world, node.solid, ray, leaving, work);
+            if (work.scratch.top_size() > 0) return false;
+        }
     return true;
 }
 

@@ -150,6 +150,13 @@ struct BoundaryChosen {
     double speed_from = 1, speed_to = 1;
 };
 
+/// Follows a BoundaryChosen on a mesh: which triangle it is, and where in it.
+struct TriangleHit {
+    int triangle = 0;                             ///< in the order of the file, from 0
+    int corner_a = 0, corner_b = 0, corner_c = 0; ///< its vertices, by the numbers that the file gives them
+    Vec3d shares{0}; ///< barycentric coordinates: the point is a share of each corner; they add up to 1
+};
+
 /// Nothing was hit; the background is added.
 struct Missed {
     Colour background{0};
@@ -228,7 +235,8 @@ struct Truncated {
 
 using Event =
     std::variant<RaySpawned, SearchBegan, PlaceEntered, PlaceLeft, SearchEnded, ObjectAccepted, NodeEvaluated,
-                 SpanFound, ClusterMerged, BoundaryChosen, Missed, AmbientLit, LightLit, LocalLightSkipped,
-                 BlockerPassed, Reflected, Refracted, TotallyReflected, NotSpawned, RayFinished, Truncated>;
+                 SpanFound, ClusterMerged, BoundaryChosen, TriangleHit, Missed, AmbientLit, LightLit,
+                 LocalLightSkipped, BlockerPassed, Reflected, Refracted, TotallyReflected, NotSpawned,
+                 RayFinished, Truncated>;
 
 } // namespace rayscope

@@ -127,6 +127,14 @@ template <> struct Fields<BoundaryChosen> {
     };
 };
 
+template <> struct Fields<TriangleHit> {
+    static constexpr auto name = "triangle_hit";
+    static constexpr auto list =
+        std::tuple{Field{"triangle", &TriangleHit::triangle}, Field{"corner_a", &TriangleHit::corner_a},
+                   Field{"corner_b", &TriangleHit::corner_b}, Field{"corner_c", &TriangleHit::corner_c},
+                   Field{"shares", &TriangleHit::shares}};
+};
+
 template <> struct Fields<Missed> {
     static constexpr auto name = "missed";
     static constexpr auto list = std::tuple{Field{"background", &Missed::background}};

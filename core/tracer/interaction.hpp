@@ -1,6 +1,7 @@
 #pragma once
 // What the shading needs to know of a hit.
 
+#include "core/reflection/mirror.hpp"
 #include "core/tracer/media_at.hpp"
 
 namespace rayscope {
@@ -13,7 +14,9 @@ template <Numbers N> struct Interaction {
     Vec3<T> incoming; ///< the ray's direction, unit
     Vec3<T> normal;   ///< unit, outward from the object
     Vec3<T> facing;   ///< turned against the ray
-    T error_bound;    ///< of t
+    Vec3<T> flat;     ///< the face's own, turned so: `facing`, unless the surface is smooth
+    bool smooth = false;
+    T error_bound; ///< of t
     MediaPair media;
     T speed_from = T(1), speed_to = T(1);
     Leaving<T> back;          ///< what a ray that stays on this side leaves
@@ -25,19 +28,35 @@ template <Numbers N> struct Interaction {
     bool leaves_transmitting_solid = false;
 };
 
-/// Unit normal for shading: a smooth polygon's interpolated one, else the surface's.
+template <Numbers N> [[nodiscard]] bool is_smooth(const Solid<N>& solid) {
+    if (const auto* polygon = std::get_if<Polygon<N>>(&solid.shape)) return polygon->smooth();
+    const auto* mesh = std::get_if<Mesh<N>>(&solid.shape);
+    return mesh != nullptr && mesh->smooth();
+}
+
+/// Unit normal of a smooth polygon or mesh where it was hit, turned against the ray like its face's own, `flat`; nothing
+/// where it can't be used.
+/// Interpolated it belongs to a curved surface that is not there, so the face's own normal guards it: it does not turn
+/// away from the ray, since the eye sees the front, nor so far aside that the mirrored ray would lead through the face. Such a
+/// ray is turned up over the face by as much as it would dip below.
 template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] Vec3<T> shading_normal(const World<N>& world, const Ray<T>& ray, const Hit<T>& hit) {
-    const Solid<N>& solid = world.solids[hit.surface.solid];
-    Vec3<T> n = solid.normal(ray, hit.t, hit.surface.face);
-    if (const auto* polygon = std::get_if<Polygon<N>>(&solid.shape);
-        polygon != nullptr && polygon->smooth()) {
-        const Vec3<T> smooth = solid.transform.normal_to_world(
-            polygon->shading_normal(solid.transform.to_object(ray).at(hit.t)));
-        // Where the smooth normal would turn away from the ray it can't be used: the eye sees the front.
-        if (dot(smooth, ray.direction) * dot(n, ray.direction) > T(0)) n = smooth;
-    }
-    return hit.surface.flipped ? -n : n;
+[[nodiscard, gnu::noinline]] std::optional<Vec3<T>> smooth_normal(const Solid<N>& solid, const Ray<T>& ray,
+                                                                  const Hit<T>& hit, const Vec3<T>& incoming,
+                                                                  const Vec3<T>& flat) {
+    const auto* polygon = std::get_if<Polygon<N>>(&solid.shape);
+    const auto* mesh = std::get_if<Mesh<N>>(&solid.shape);
+    const Vec3<T> p = solid.transform.to_object(ray).at(hit.t);
+    Vec3<T> n = solid.transform.normal_to_world(
+        polygon != nullptr ? polygon->shading_normal(p) : mesh->shading_normal(p, hit.surface.face));
+    const Vec3<T> face = solid.normal(ray, hit.t, hit.surface.face);
+    if (dot(face, flat) < T(0)) n = -n;
+    if (!(dot(n, incoming) < T(0))) return std::nullopt;
+    const Vec3<T> direction = mirrored<N>(incoming, n);
+    const T height = dot(direction, flat);
+    if (height >= T(0)) return n;
+    n = normalized(direction - T(2) * height * flat - incoming);
+    if (!(dot(n, incoming) < T(0))) return std::nullopt;
+    return n;
 }
 
 /// The hits that coincide with the nearest one: those within the sum of their error bounds, itself included. A place
@@ -90,21 +109,29 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     at.hit.surface = owner(world, ray, at.hit, leaving.of(at.hit.object), work);
     at.point = ray.at(at.hit.t);
     at.incoming = normalized(ray.direction);
-    at.normal = shading_normal(world, ray, at.hit);
 
     const Object& object = world.objects[at.hit.object];
     const Solid<N>& solid = world.solids[at.hit.surface.solid];
     at.material = &world.material_of(object);
     at.wall = &world.materials[solid.material];
+    at.normal = solid.normal(ray, at.hit.t, at.hit.surface.face);
+    if (at.hit.surface.flipped) at.normal = -at.normal;
     const bool against = object.has_volume ? at.hit.entering : dot(at.normal, at.incoming) < T(0);
-    at.facing = against ? at.normal : -at.normal;
+    at.facing = at.flat = against ? at.normal : -at.normal;
+    if (is_smooth(solid)) {
+        if (const auto smooth = smooth_normal(solid, ray, at.hit, at.incoming, at.flat)) {
+            at.smooth = true;
+            at.facing = *smooth;
+            at.normal = against ? at.facing : -at.facing;
+        }
+    }
     at.error_bound = solid.error_bound(ray, at.hit.t, at.hit.surface.face);
     at.leaves_transmitting_solid = object.has_volume && !at.hit.entering && at.material->transmits();
 
     if constexpr (!is_textbook<N>) {
         // Along the normal the bound stays small where a graze makes that of t large; the point itself is rounded, too.
-        const T distance = at.error_bound * magnitude(dot(at.normal, ray.direction)) +
-                           epsilon<T> * dot(absolute(at.normal), absolute(at.point));
+        const T distance = at.error_bound * magnitude(dot(at.flat, ray.direction)) +
+                           epsilon<T> * dot(absolute(at.flat), absolute(at.point));
         leave_from(at, world, leaving, work.coincident, distance);
     }
     at.media = {medium, medium};

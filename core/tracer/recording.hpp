@@ -30,4 +30,20 @@ template <Numbers N> [[nodiscard]] BoundaryChosen boundary_chosen(const Interact
             double(at.speed_to)};
 }
 
+/// Nothing where no mesh was hit.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] std::optional<TriangleHit> triangle_hit(const World<N>& world, const Ray<T>& ray,
+                                                      const Hit<T>& hit) {
+    const Solid<N>& solid = world.solids[hit.surface.solid];
+    const auto* mesh = std::get_if<Mesh<N>>(&solid.shape);
+    if (mesh == nullptr) return std::nullopt;
+    const int triangle = int(hit.surface.face);
+    const MeshData& data = mesh->triangles().data();
+    const auto corner = [&](std::size_t i) {
+        return int(data.triangles[std::size_t(triangle)][i]) + data.first_number;
+    };
+    const Vec3<T> p = solid.transform.to_object(ray).at(hit.t);
+    return TriangleHit{triangle, corner(0), corner(1), corner(2), as<double>(mesh->barycentric(p, triangle))};
+}
+
 } // namespace rayscope

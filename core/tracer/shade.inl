@@ -39,11 +39,19 @@ Colour Tracer<N, Stage, Recorder, Order>::shade(const RayUse& use, const Ray<T>&
         return world_.background;
     }
     const Interaction<N> at = interact(world_, ray, hit, leaving, budget.medium, work_);
-    if constexpr (Recorder::enabled) recorder_.record(boundary_chosen(at));
+    if constexpr (Recorder::enabled) {
+        recorder_.record(boundary_chosen(at));
+        if (const auto triangle = triangle_hit(world_, ray, at.hit)) recorder_.record(*triangle);
+    }
 
     const Colour local = local_light(at, budget);
     std::optional<Refraction<T>> bent;
-    if (at.material->transmits()) bent = refract_unit<N>(at.incoming, at.facing, at.speed_from, at.speed_to);
+    if (at.material->transmits()) {
+        bent = refract_unit<N>(at.incoming, at.facing, at.speed_from, at.speed_to);
+        // An interpolated normal may bend the ray back out of the face that it is to go through.
+        if (at.smooth && !bent->total() && !(dot(bent->direction, at.flat) < T(0)))
+            bent = refract_unit<N>(at.incoming, at.flat, at.speed_from, at.speed_to);
+    }
     const bool total = bent && bent->total();
     // What can't get through is mirrored as well: one ray carries both shares.
     const Colour mirrored_share =
@@ -79,7 +87,10 @@ Colour Tracer<N, Stage, Recorder, Order>::light_from(Id id, const Interaction<N>
     const Vec3<T> position = as<T>(light.position);
     const Vec3<T> offset = light.directional ? position : position - at.point;
     const Vec3<T> to_light = normalized(offset);
-    const double cosine = double(dot(at.facing, to_light));
+    double cosine = double(dot(at.facing, to_light));
+    // Light from behind the face itself does not come through, whatever an interpolated normal says.
+    if (const double flat = double(dot(at.flat, to_light)); at.smooth && flat < 0)
+        cosine = minimum(cosine, flat);
     const double mirror = double(mirror_cosine(to_light, at.facing, at.incoming));
     const Colour diffuse = at.wall->diffuse * diffuse_share(cosine);
     const Colour specular = at.wall->specular * specular_share(cosine, mirror, at.wall->shininess);

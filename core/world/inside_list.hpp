@@ -7,6 +7,14 @@
 
 namespace rayscope {
 
+/// Not inlined: see first_from_mesh.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[gnu::noinline]] void append_mesh_crossings(const Solid<N>& solid, std::uint32_t index, const Ray<T>& ray,
+                                             int leaving, Work<T>& work) {
+    std::get<Mesh<N>>(solid.shape).crossings(solid.transform.to_object(ray), leaving, work.of_mesh);
+    for (const MeshCrossing<T>& c : work.of_mesh) work.scratch.append(solid.crossing_of(c, index));
+}
+
 /// Appends a solid's inside list to the open top list.
 /// A surface without volume is a single crossing: it is met, never inside.
 template <Numbers N, Scalar T = ScalarOf<N>>
@@ -14,8 +22,9 @@ void append_crossings(const World<N>& world, std::uint32_t solid, const Ray<T>& 
                       const LeavingSurface<T>* leaving, Work<T>& work) {
     const Solid<N>& s = world.solids[solid];
     ++work.counters.tests[s.shape.index()];
-    for (const Interval<T>& inside :
-         s.intervals(ray, leaving != nullptr ? leaving->face_of(solid) : no_face)) {
+    const int start = leaving != nullptr ? leaving->face_of(solid) : no_face;
+    if (std::holds_alternative<Mesh<N>>(s.shape)) return append_mesh_crossings(s, solid, ray, start, work);
+    for (const Interval<T>& inside : s.intervals(ray, start)) {
         work.scratch.append({inside.enter, {solid, std::uint16_t(inside.enter_face), false}, true});
         if (inside.enter < inside.exit)
             work.scratch.append({inside.exit, {solid, std::uint16_t(inside.exit_face), false}, false});
@@ -154,6 +163,25 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     });
 }
 
+/// The same as `first_of_object` where the ray starts on the outside of this mesh: not all of the line need be looked at.
+/// Not inlined, lest what is the same for all shapes becomes too large to be.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard, gnu::noinline]] std::optional<Hit<T>>
+first_from_mesh(const World<N>& world, std::uint32_t object, const Ray<T>& ray, const Range<T>& range,
+                const LeavingSurface<T>& leaving, Work<T>& work) {
+    const std::uint32_t index = world.objects[object].index;
+    const Solid<N>& solid = world.solids[index];
+    ++work.counters.objects;
+    ++work.counters.tests[solid.shape.index()];
+    const auto first = std::get<Mesh<N>>(solid.shape)
+                           .closest(solid.transform.to_object(ray), range, leaving.face_of(index),
+                                    [&](const MeshCrossing<T>& c) {
+                                        return is_start(world, ray, solid.crossing_of(c, index), leaving);
+                                    });
+    if (!first) return std::nullopt;
+    return Hit<T>{first->t, object, solid.crossing_of(*first, index).surface, first->entering, false};
+}
+
 /// The first crossing in the range of one object, whatever it is.
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] std::optional<Hit<T>> first_of_object(const World<N>& world, std::uint32_t object,
@@ -163,6 +191,10 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     const auto hit = [&](const Crossing<T>& c, bool crowded) {
         return Hit<T>{c.t, object, c.surface, c.entering, crowded};
     };
+    if (leaving != nullptr && !o.is_compound &&
+        std::holds_alternative<Mesh<N>>(world.solids[o.index].shape) && !leaving->crosses &&
+        !leaving->starts_inside)
+        return first_from_mesh(world, object, ray, range, *leaving, work);
     if (o.is_compound || leaving != nullptr) {
         const auto first =
             first_crossing(world, ray, crossings(world, object, ray, leaving, work), range, leaving);

@@ -8,6 +8,17 @@
 
 namespace rayscope {
 
+template <typename Shape> inline constexpr bool is_mesh = requires(const Shape& shape) { shape.triangles(); };
+
+/// How far a point is, about, from a face.
+template <typename Shape, Scalar T>
+[[nodiscard]] T face_distance(const Shape& shape, const Vec3<T>& p, [[maybe_unused]] int face) {
+    if constexpr (is_mesh<Shape>)
+        return shape.value(p, face);
+    else
+        return magnitude(shape.value(p));
+}
+
 template <Numbers N> struct Solid {
     using T = ScalarOf<N>;
 
@@ -19,6 +30,7 @@ template <Numbers N> struct Solid {
     bool is_ball = false; ///< a sphere in world space: its transform is a translation, its radius the world's
 
     /// The inside list on a world ray's whole line: the ray is moved, t is the same in both spaces.
+    /// Of a mesh it may be but the beginning: see append_crossings.
     /// @param leaving the face on which the ray starts: its crossing is then t = 0 exactly; or no_face
     [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const {
         if (is_ball)
@@ -51,7 +63,7 @@ template <Numbers N> struct Solid {
             [&](const auto& s) {
                 const Vec3<T> n = s.normal(moved.origin, face);
                 const T limit = moved_off(n, off) + surface_distance(ray, t, n);
-                return magnitude(s.value(moved.at(t / T(2)))) * length(n) <= T(2) * limit;
+                return face_distance(s, moved.at(t / T(2)), face) * length(n) <= T(2) * limit;
             },
             shape);
     }
@@ -59,6 +71,7 @@ template <Numbers N> struct Solid {
     /// The first crossing with t in the range; the query of the hot path, for solids that are no operands.
     [[nodiscard]] std::optional<Crossing<T>> closest(const Ray<T>& ray, const Range<T>& range,
                                                      std::uint32_t index) const {
+        if (std::holds_alternative<Mesh<N>>(shape)) return closest_of_mesh(ray, range, index);
         for (const Interval<T>& inside : intervals(ray)) {
             if (range.contains(inside.enter))
                 return Crossing<T>{inside.enter, {index, std::uint16_t(inside.enter_face), false}, true};
@@ -66,6 +79,18 @@ template <Numbers N> struct Solid {
                 return Crossing<T>{inside.exit, {index, std::uint16_t(inside.exit_face), false}, false};
         }
         return std::nullopt;
+    }
+
+    // Not inlined, so that the others' query stays small.
+    [[nodiscard, gnu::noinline]] std::optional<Crossing<T>>
+    closest_of_mesh(const Ray<T>& ray, const Range<T>& range, std::uint32_t index) const {
+        const auto first = std::get<Mesh<N>>(shape).closest(transform.to_object(ray), range);
+        return first ? std::optional(crossing_of(*first, index)) : std::nullopt;
+    }
+
+    /// A triangle of a mesh that is this solid.
+    [[nodiscard]] static Crossing<T> crossing_of(const MeshCrossing<T>& c, std::uint32_t index) {
+        return {c.t, {index, c.triangle & 0x7FFFFFFFU, false}, c.entering};
     }
 
     /// A world length along a face's normal in object space, times the length of the normal.
@@ -103,8 +128,9 @@ template <Numbers N> auto Solid<N>::error_bound(const Ray<T>& ray, T t, int face
             const Vec3<T> n = s.normal(p, face);
             T curvature = s.curvature(p, moved.direction, face);
             if (curvature > T(0)) curvature *= sqrt(dot(n, n));
-            return root_shift(surface_distance(ray, t, n) + moved_off(n, off), dot(n, moved.direction),
-                              curvature);
+            T delta = surface_distance(ray, t, n) + moved_off(n, off);
+            if constexpr (is_mesh<decltype(s)>) delta += s.tilt(p, face);
+            return root_shift(delta, dot(n, moved.direction), curvature);
         },
         shape);
 }

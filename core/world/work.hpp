@@ -2,6 +2,7 @@
 // What one thread needs to look for hits.
 
 #include "core/csg/sweep.hpp"
+#include "core/generics/mesh.hpp"
 #include "core/math/ray.hpp"
 #include "core/world/counters.hpp"
 
@@ -151,6 +152,7 @@ private:
 template <Scalar T> struct Work {
     SpanStack<T> scratch;
     std::vector<Crossing<T>> of_operands; ///< of the compound that was asked last
+    std::vector<MeshCrossing<T>> of_mesh; ///< of the mesh that was asked last
     std::vector<Blocker<T>> blockers;
     std::vector<Hit<T>> coincident;
     Mailbox mailbox;

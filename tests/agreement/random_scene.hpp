@@ -1,6 +1,7 @@
 #pragma once
 // Scenes of all generics and of compounds, crowded or sparse, large beside small, some things without end.
 
+#include "tests/support/meshes.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -10,8 +11,13 @@ namespace rayscope::test {
 [[nodiscard]] inline Scene random_scene(Random& random, int count) {
     SceneBuilder b;
     const std::size_t opaque = b.clear(0.3, 0, 1), glass = b.clear(0.1, 0.8, 1.5);
-    const auto shapes = all_generics();
-    const auto solids = solid_generics();
+    static const std::vector<Mesh<double>> meshes{
+        mesh_of(globe_data(12, 0.3)), mesh_of(bowl_data(10)),
+        mesh_of(joined(cube_data(), cube_data({1, 0.5, 0.2}, 0.7)))};
+    auto shapes = all_generics();
+    auto solids = solid_generics();
+    shapes.insert(shapes.end(), meshes.begin(), meshes.end());
+    solids.emplace_back(meshes[0]);
     const double spread = random.decade(0, 1.5);
     const auto place = [&] {
         const double size = random.decade(-1.5, 0.3);

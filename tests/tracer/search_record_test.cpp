@@ -19,7 +19,9 @@ Scene crowd() {
     SceneMaterial mirror;
     mirror.diffuse = Colour{0.4};
     mirror.reflection = Colour{0.5};
-    const std::size_t shiny = b.material(mirror), plain = b.glowing({0.3, 0.2, 0.1});
+    SceneMaterial matte;
+    matte.diffuse = Colour{0.7};
+    const std::size_t shiny = b.material(mirror), plain = b.material(matte);
     for (int i = 0; i < 60; ++i)
         b.generic(Sphere<double>{}, translation(random.in_cube(3.0)) * scaling(random.uniform(0.1, 0.4)),
                   i % 3 == 0 ? shiny : plain);

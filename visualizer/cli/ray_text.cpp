@@ -83,6 +83,15 @@ void add_hit(Page& page, const Trace& trace, int index, const StepStyle& style) 
                             (hit->entering ? "; the ray enters" : "; the ray leaves"));
     page.item("t", number(hit->boundary.t) + " ± " + number(hit->error_bound));
     page.item("point", "origin + t · direction = " + number.vector(hit->point));
+    if (const auto* triangle = ray.find<TriangleHit>()) {
+        const auto part = [&](double share, int vertex) {
+            return number(share) + " of vertex " + std::to_string(vertex);
+        };
+        page.item("triangle", std::to_string(triangle->triangle) +
+                                  " of the mesh: " + part(triangle->shares.x, triangle->corner_a) + ", " +
+                                  part(triangle->shares.y, triangle->corner_b) + ", " +
+                                  part(triangle->shares.z, triangle->corner_c));
+    }
     page.item("normal", "n = " + number.vector(hit->normal) + ", outward");
     if (hit->facing != hit->normal)
         page.item("", "turned against the ray: n = " + number.vector(hit->facing));

@@ -100,6 +100,24 @@ public:
         triangles->Update();
         pieces.emplace_back(triangles->GetOutput());
     }
+    void operator()(const Mesh<double>& mesh) {
+        const MeshData& data = mesh.triangles().data();
+        vtkNew<vtkPolyData> piece;
+        start(piece);
+        vtkNew<vtkCellArray> cells;
+        for (std::size_t i = 0; i < data.triangles.size();
+             ++i) { // corners of their own: normals may part there
+            std::array<vtkIdType, 3> ids{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3d& p = data.positions[data.triangles[i][k]];
+                ids[k] = add({p, mesh.shading_normal(p, int(i))});
+            }
+            if (mirrored_) std::swap(ids[1], ids[2]);
+            cells->InsertNextCell(3, ids.data());
+        }
+        piece->SetPolys(cells);
+        pieces.emplace_back(piece);
+    }
 
 private:
     static double turn(double share) { return 2 * std::numbers::pi * share; }

@@ -29,6 +29,10 @@ struct alignas(32) Node8 {
         }
         child[place] = what;
     }
+    [[nodiscard]] Box<float> box(std::size_t place) const {
+        return {{low[0][place], low[1][place], low[2][place]},
+                {high[0][place], high[1][place], high[2][place]}};
+    }
 };
 
 /// A ray made ready for them: see SlabRay. Float has few digits, so the margin is wider here:

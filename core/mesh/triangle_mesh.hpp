@@ -1,0 +1,64 @@
+#pragma once
+// Triangles and the tree of boxes that finds them: one in memory for all numbers and for all solids that show it.
+
+#include "core/boxes/walk8.hpp"
+#include "core/mesh/closed.hpp"
+
+namespace rayscope {
+
+/// Immutable. About 60 bytes a triangle where six triangles share a vertex.
+class TriangleMesh {
+public:
+    /// @param data at least one triangle, at most most_triangles. A closed mesh that is inside out is turned.
+    explicit TriangleMesh(MeshData data);
+
+    static constexpr std::size_t most_triangles = std::size_t(1) << 28U;
+
+    [[nodiscard]] const MeshData& data() const { return data_; }
+    [[nodiscard]] std::size_t size() const { return data_.triangles.size(); }
+    [[nodiscard]] const Box<double>& bounds() const { return bounds_; }
+    /// Where it is open; nothing if it encloses a volume.
+    [[nodiscard]] const std::optional<Hole>& hole() const { return hole_; }
+    [[nodiscard]] std::size_t bytes() const;
+
+    /// Calls visit(triangle) for all that the half line t ≥ 0 may meet at a t ≤ reach(), roughly from the nearest on.
+    template <typename Reach, typename Visit>
+    void along(const Ray<double>& ray, const Reach& reach, const Visit& visit) const {
+        const Ray8 ray8(ray, scale_, 1);
+        if (!ray8.reliable()) {
+            if (!may_meet_from_afar(ray)) return;
+            for (std::uint32_t i = 0; i < size(); ++i) visit(i);
+            return;
+        }
+        std::uint64_t visited = 0;
+        walk8(
+            nodes_, ray8, [&] { return ray8.reach(reach()); }, visited,
+            [&](std::uint32_t leaf) {
+                for (std::uint32_t i = leaf >> count_bits; i <= (leaf >> count_bits) + (leaf & count_mask);
+                     ++i)
+                    visit(order_[i]);
+                return false;
+            });
+    }
+
+    /// Whether a triangle's box meets this one.
+    [[nodiscard]] bool any_in(const Box<double>& box) const;
+
+    /// From a point to the nearest triangle.
+    [[nodiscard]] double distance(const Vec3d& p) const;
+
+private:
+    // A leaf's number: its first place in order_, and how many follow it.
+    static constexpr std::uint32_t count_bits = 2, count_mask = 3;
+
+    [[nodiscard]] bool may_meet_from_afar(const Ray<double>& ray) const;
+
+    MeshData data_;
+    Box<double> bounds_;
+    std::optional<Hole> hole_;
+    double scale_ = 1;
+    std::vector<Node8> nodes_;
+    std::vector<std::uint32_t> order_; // triangles, leaf by leaf
+};
+
+} // namespace rayscope

@@ -1,0 +1,41 @@
+#pragma once
+// The numbers of a PLY file's body, one after the other.
+
+#include "core/scene/ply_header.hpp"
+
+namespace rayscope {
+
+/// Decimals, parted by blanks.
+class PlyDecimals {
+public:
+    PlyDecimals(std::string_view text, const PlyHeader& header, const std::string& file)
+        : rest_(text.substr(header.body)), file_(file), line_(header.body_line) {}
+
+    [[nodiscard]] double next(PlyType type);
+    /// "file:line: message"
+    [[noreturn]] void fail(const std::string& message) const;
+
+private:
+    std::string_view rest_;
+    const std::string& file_;
+    int line_;
+};
+
+/// Numbers as a machine stores them, packed.
+class PlyBytes {
+public:
+    PlyBytes(std::string_view text, const PlyHeader& header, const std::string& file)
+        : rest_(text.substr(header.body)), file_(file), big_endian_(header.format == PlyFormat::big_endian) {}
+
+    [[nodiscard]] double next(PlyType type);
+    [[noreturn]] void fail(const std::string& message) const { throw InputError(file_, {}, message); }
+
+private:
+    template <typename Number> [[nodiscard]] double number();
+
+    std::string_view rest_;
+    const std::string& file_;
+    bool big_endian_;
+};
+
+} // namespace rayscope
