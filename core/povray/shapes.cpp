@@ -42,6 +42,26 @@ public:
                                             corner(polygon.vertices().front())));
     }
 
+    // A direction makes POV-Ray know an inside: it counts crossings along it.
+    std::string operator()(const Mesh<double>& mesh) const {
+        const MeshData& data = mesh.triangles().data();
+        const Transform<double> transform(matrix_);
+        std::string triangles;
+        for (std::size_t i = 0; i < data.triangles.size(); ++i) {
+            std::string corners;
+            for (std::size_t k = 0; k < 3; ++k) {
+                corners += (k == 0 ? "" : ", ") + corner(data.positions[data.triangles[i][k]]);
+                if (data.smooth())
+                    corners +=
+                        ", " +
+                        vector(transform.normal_to_world(as<double>(data.normals[data.normals_of(i)[k]])));
+            }
+            triangles +=
+                fmt::format("{} {{ {} }}\n", data.smooth() ? "smooth_triangle" : "triangle", corners);
+        }
+        return whole("mesh", "\n" + triangles + (mesh.solid ? "inside_vector z" : ""));
+    }
+
 private:
     [[nodiscard]] std::string whole(std::string_view kind, const std::string& what) const {
         return fmt::format("{} {{ {}{}{} }}\n", kind, what, modifiers_.empty() ? "" : " ", modifiers_);
