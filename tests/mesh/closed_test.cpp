@@ -71,9 +71,6 @@ TEST(Closed, memory) {
     };
     EXPECT_LT(each(shared), 64);
     EXPECT_LT(each(apart), 200);
-    RecordProperty("shared", std::to_string(each(shared)));
-    RecordProperty("apart", std::to_string(each(apart)));
-    std::printf("bytes a triangle: %.1f shared, %.1f apart\n", each(shared), each(apart));
 }
 
 TEST(Closed, what_is_inside_out_is_turned) {
