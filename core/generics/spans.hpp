@@ -12,8 +12,8 @@ namespace rayscope {
 /// One face of one solid of the world. Exact ties between crossings are told apart by it.
 struct Surface {
     std::uint32_t solid;
-    std::uint32_t face : 31; ///< a mesh has as many as triangles
-    bool flipped : 1;        ///< part of what a compound subtracts: its normal is turned
+    std::uint32_t face; ///< a mesh has as many as triangles
+    bool flipped;       ///< part of what a compound subtracts: its normal is turned
 
     friend bool operator==(const Surface&, const Surface&) = default;
 };

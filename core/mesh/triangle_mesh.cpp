@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t triangles_a_leaf = 4;
 
-void turn(MeshData& mesh) {
+void turn_inside_out(MeshData& mesh) {
     for (auto* corners : {&mesh.triangles, &mesh.triangle_normals})
         for (MeshData::Corners& t : *corners) std::swap(t[1], t[2]);
     for (Vec3<float>& n : mesh.normals) n = -n;
@@ -19,7 +19,7 @@ void turn(MeshData& mesh) {
 } // namespace
 
 TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)), hole_(find_hole(data_)) {
-    if (!hole_ && signed_volume(data_) < 0) turn(data_);
+    if (!hole_ && signed_volume(data_) < 0) turn_inside_out(data_);
     for (const Vec3d& p : data_.positions) bounds_.include(p);
     scale_ = tree_scale(largest_component(maximum_of(absolute(bounds_.low), absolute(bounds_.high))));
     std::vector<BoxedItem> items;

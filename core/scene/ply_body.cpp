@@ -10,13 +10,13 @@
 namespace rayscope {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool ends_a_word(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 } // namespace
 
 double PlyDecimals::next(PlyType type) {
     std::size_t begin = 0;
-    for (; begin < rest_.size() && is_blank(rest_[begin]); ++begin)
+    for (; begin < rest_.size() && ends_a_word(rest_[begin]); ++begin)
         if (rest_[begin] == '\n') ++line_;
     rest_.remove_prefix(begin);
     if (rest_.empty()) fail("expected a number, found the end of the file");
@@ -24,8 +24,8 @@ double PlyDecimals::next(PlyType type) {
     if (*first == '+' && last - first > 1 && first[1] != '-') ++first; // which std::from_chars does not take
     double x = 0;
     const auto [end, error] = std::from_chars(first, last, x);
-    if (error == std::errc::invalid_argument || (end != last && !is_blank(*end))) {
-        const auto* const blank = std::find_if(first, last, is_blank);
+    if (error == std::errc::invalid_argument || (end != last && !ends_a_word(*end))) {
+        const auto* const blank = std::find_if(first, last, ends_a_word);
         fail("expected a number, found " + in_quotes({rest_.data(), std::size_t(blank - rest_.data())}));
     }
     const std::string_view text(first, std::size_t(end - first));

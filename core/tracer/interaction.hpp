@@ -47,7 +47,7 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     const auto* mesh = std::get_if<Mesh<N>>(&solid.shape);
     const Vec3<T> p = solid.transform.to_object(ray).at(hit.t);
     Vec3<T> n = solid.transform.normal_to_world(
-        polygon != nullptr ? polygon->shading_normal(p) : mesh->shading_normal(p, hit.surface.face));
+        polygon != nullptr ? polygon->shading_normal(p) : mesh->shading_normal(p, int(hit.surface.face)));
     const Vec3<T> face = solid.normal(ray, hit.t, hit.surface.face);
     if (dot(face, flat) < T(0)) n = -n;
     if (!(dot(n, incoming) < T(0))) return std::nullopt;

@@ -74,9 +74,9 @@ template <Numbers N> struct Solid {
         if (std::holds_alternative<Mesh<N>>(shape)) return closest_of_mesh(ray, range, index);
         for (const Interval<T>& inside : intervals(ray)) {
             if (range.contains(inside.enter))
-                return Crossing<T>{inside.enter, {index, std::uint16_t(inside.enter_face), false}, true};
+                return Crossing<T>{inside.enter, {index, std::uint32_t(inside.enter_face), false}, true};
             if (range.contains(inside.exit))
-                return Crossing<T>{inside.exit, {index, std::uint16_t(inside.exit_face), false}, false};
+                return Crossing<T>{inside.exit, {index, std::uint32_t(inside.exit_face), false}, false};
         }
         return std::nullopt;
     }
@@ -90,7 +90,7 @@ template <Numbers N> struct Solid {
 
     /// A triangle of a mesh that is this solid.
     [[nodiscard]] static Crossing<T> crossing_of(const MeshCrossing<T>& c, std::uint32_t index) {
-        return {c.t, {index, c.triangle & 0x7FFFFFFFU, false}, c.entering};
+        return {c.t, {index, c.triangle, false}, c.entering};
     }
 
     /// A world length along a face's normal in object space, times the length of the normal.

@@ -50,6 +50,29 @@ TEST(Closed, vertices_at_one_place_are_one) {
 // Two cubes that share an edge: four triangles there, two each way.
 TEST(Closed, parts_may_share_an_edge) { EXPECT_FALSE(find_hole(joined(cube_data(), cube_data({2, 2, 0})))); }
 
+// What a million triangles may cost: shared vertices, and at worst three vertices with normals for each.
+TEST(Closed, memory) {
+    const MeshData shared = globe_data(200);
+    MeshData apart;
+    for (const MeshData::Corners& t : shared.triangles) {
+        const auto first = std::uint32_t(apart.positions.size());
+        for (const std::uint32_t corner : t) {
+            apart.positions.push_back(shared.positions[corner]);
+            apart.normals.push_back(shared.normals[corner]);
+        }
+        apart.triangles.push_back({first, first + 1, first + 2});
+    }
+    const auto each = [](MeshData data) {
+        for (auto* list : {&data.triangles, &data.triangle_normals}) list->shrink_to_fit();
+        data.positions.shrink_to_fit();
+        data.normals.shrink_to_fit();
+        const TriangleMesh mesh(std::move(data));
+        return double(mesh.bytes()) / double(mesh.size());
+    };
+    EXPECT_LT(each(shared), 64);
+    EXPECT_LT(each(apart), 200);
+}
+
 TEST(Closed, what_is_inside_out_is_turned) {
     MeshData data = cube_data();
     for (MeshData::Corners& t : data.triangles) std::swap(t[0], t[1]);
