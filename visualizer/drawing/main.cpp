@@ -1,6 +1,7 @@
 // rayscope-view: the part of rayscope that needs VTK. `rayscope` runs it for pictures and ParaView files.
 
 #include "visualizer/drawing/accuracy_chart.hpp"
+#include "visualizer/drawing/growth_chart.hpp"
 #include "visualizer/drawing/picture.hpp"
 #include "visualizer/drawing/vtm.hpp"
 
@@ -81,6 +82,11 @@ int main(int argc, char** argv) {
         ->required();
     accuracy->add_option("--size", arguments.size, "WIDTHxHEIGHT of the chart in pixels (1280x720)");
     accuracy->footer("Example: rayscope-view accuracy cost/accuracy.json");
+    CLI::App* stages = app.add_subcommand("stages", "Draws what `rayscope bench stages -o FOLDER` measured");
+    stages->add_option("FILE", arguments.measurement, "growth.json; stages.png appears beside it")
+        ->required();
+    stages->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (1280x720)");
+    stages->footer("Example: rayscope-view stages stages/growth.json");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -89,6 +95,7 @@ int main(int argc, char** argv) {
     try {
         if (*png) draw(arguments);
         if (*accuracy) drawing::write_accuracy_pictures(arguments.measurement, parse_size(arguments.size));
+        if (*stages) drawing::write_growth_chart(arguments.measurement, parse_size(arguments.size));
         if (*vtm) drawing::write_vtm(open(arguments.scene), read_trace(arguments.trace), arguments.output);
     } catch (const InputError& error) {
         std::cerr << error.what() << '\n';
