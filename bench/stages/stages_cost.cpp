@@ -28,7 +28,7 @@ int fail(const std::string& message) {
 int explain() {
     std::puts("Usage: rayscope bench stages [--scenes NAME…] [--most N] [--peers] -o DIR\n\n"
               "  --scenes NAME…  only scenes whose names begin so: cloud, flake, bowls, cylinders, gears\n"
-              "  --most N        clouds of up to N balls (100000; 1000000 takes minutes more and 2 GB)\n"
+              "  --most N        clouds of up to N balls (100000)\n"
               "  --peers         also run POV-Ray and Embree, where they are installed\n"
               "  -o DIR          stages.json (for Google Benchmark's compare tools), stages.csv, stages.md,\n"
               "                  growth.json and, with VTK, stages.png\n\n"
