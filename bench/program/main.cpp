@@ -21,11 +21,15 @@ constexpr int wrong_usage = 2;
 struct Benchmark {
     std::string_view name, summary;
     int (*run)(const Arguments&);
+    bool reads_words = false; ///< it has options of its own
 };
 
 constexpr std::array benchmarks{
     Benchmark{"accuracy", "what accuracy costs: time and digits of each generic, number type and method",
               rayscope::bench::accuracy_cost},
+    Benchmark{"stages",
+              "what each stage buys: time, tests and cells a ray, scene by scene; --help tells more",
+              rayscope::bench::stages_cost, true},
 };
 
 int fail(const std::string& message) {
@@ -41,7 +45,8 @@ int list() {
     std::puts(
         "\n  -o FILE    also write every repetition to a file: .json (Google Benchmark's format) or .csv\n\n"
         "Example:\n  rayscope bench accuracy -o cost.json\n"
-        "  rayscope bench accuracy --benchmark_filter='sphere|torus'");
+        "  rayscope bench accuracy --benchmark_filter='sphere|torus'\n"
+        "  rayscope bench stages -o stages");
     return 0;
 }
 
@@ -59,6 +64,7 @@ std::string wrong_output(const std::filesystem::path& path) {
 }
 
 int run(const Benchmark& benchmark, const Arguments& words) {
+    if (benchmark.reads_words) return benchmark.run(words);
     Arguments arguments{"rayscope-bench"};
     std::optional<std::string> output;
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include "visualizer/drawing/accuracy_chart.hpp"
 #include "visualizer/drawing/extents_picture.hpp"
+#include "visualizer/drawing/growth_chart.hpp"
 #include "visualizer/drawing/heat_map.hpp"
 #include "visualizer/drawing/picture.hpp"
 #include "visualizer/drawing/vtm.hpp"
@@ -117,6 +118,11 @@ int main(int argc, char** argv) {
     extents->add_option("-o,--output", arguments.output, "The file to write")->required();
     extents->add_option("--size", arguments.size, "WIDTHxHEIGHT of the image in pixels (the scene's)");
     extents->footer("Example: rayscope-view extents --scene bowl.toml -o extents.png");
+    CLI::App* stages = app.add_subcommand("stages", "Draws what `rayscope bench stages -o FOLDER` measured");
+    stages->add_option("FILE", arguments.measurement, "growth.json; stages.png appears beside it")
+        ->required();
+    stages->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (1280x720)");
+    stages->footer("Example: rayscope-view stages stages/growth.json");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -127,6 +133,7 @@ int main(int argc, char** argv) {
         if (*accuracy) drawing::write_accuracy_pictures(arguments.measurement, parse_size(arguments.size));
         if (*heat) draw_heat(arguments);
         if (*extents) draw_extents(arguments);
+        if (*stages) drawing::write_growth_chart(arguments.measurement, parse_size(arguments.size));
         if (*vtm) drawing::write_vtm(open(arguments.scene), read_trace(arguments.trace), arguments.output);
     } catch (const InputError& error) {
         std::cerr << error.what() << '\n';
