@@ -12,7 +12,7 @@ namespace rayscope {
 /// One face of one solid of the world. Exact ties between crossings are told apart by it.
 struct Surface {
     std::uint32_t solid;
-    std::uint32_t face; ///< a mesh has as many as triangles
+    std::int32_t face; ///< a mesh has as many as triangles
     bool flipped;       ///< part of what a compound subtracts: its normal is turned
 
     friend bool operator==(const Surface&, const Surface&) = default;

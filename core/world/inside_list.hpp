@@ -25,9 +25,9 @@ void append_crossings(const World<N>& world, std::uint32_t solid, const Ray<T>& 
     const int start = leaving != nullptr ? leaving->face_of(solid) : no_face;
     if (std::holds_alternative<Mesh<N>>(s.shape)) return append_mesh_crossings(s, solid, ray, start, work);
     for (const Interval<T>& inside : s.intervals(ray, start)) {
-        work.scratch.append({inside.enter, {solid, std::uint32_t(inside.enter_face), false}, true});
+        work.scratch.append({inside.enter, {solid, std::int32_t(inside.enter_face), false}, true});
         if (inside.enter < inside.exit)
-            work.scratch.append({inside.exit, {solid, std::uint32_t(inside.exit_face), false}, false});
+            work.scratch.append({inside.exit, {solid, std::int32_t(inside.exit_face), false}, false});
     }
 }
 

@@ -74,9 +74,9 @@ template <Numbers N> struct Solid {
         if (std::holds_alternative<Mesh<N>>(shape)) return closest_of_mesh(ray, range, index);
         for (const Interval<T>& inside : intervals(ray)) {
             if (range.contains(inside.enter))
-                return Crossing<T>{inside.enter, {index, std::uint32_t(inside.enter_face), false}, true};
+                return Crossing<T>{inside.enter, {index, std::int32_t(inside.enter_face), false}, true};
             if (range.contains(inside.exit))
-                return Crossing<T>{inside.exit, {index, std::uint32_t(inside.exit_face), false}, false};
+                return Crossing<T>{inside.exit, {index, std::int32_t(inside.exit_face), false}, false};
         }
         return std::nullopt;
     }

@@ -23,7 +23,7 @@ struct Expected {
 // both, moves as far: the start's bound is added to its own.
 double bound_of(const Solid<double>& solid, const Ray<double>& ray, const LeavingSurface<double>& start,
                 double t, int face) {
-    if (face != start.surface.face) return solid.error_bound(ray, t, face);
+    if (face != int(start.surface.face)) return solid.error_bound(ray, t, face);
     return solid.error_bound(ray, t, face, start.bound) + solid.error_bound(ray, 0, face, start.bound);
 }
 

@@ -118,6 +118,7 @@ TEST(SearchRecord, boxes_hold_the_ray_from_t_in_to_t_out_and_one_of_them_the_hit
                     hit_is_bounded =
                         trace.objects[std::size_t(hit->object)].name.find("plane") == std::string::npos;
                 for (const PlaceEntered& place : all<PlaceEntered>(ray)) {
+                    if (place.kind == PlaceKind::node) continue; // the root is not asked before it is entered
                     ASSERT_LE(place.t_in, place.t_out);
                     ++boxes;
                     const Vec3d in = start.origin + start.direction * place.t_in;

@@ -1,7 +1,6 @@
 #pragma once
 // One number for each pixel, as a picture with its scale.
 
-#include "core/image/map.hpp"
 #include "visualizer/drawing/picture.hpp"
 
 #include <string>

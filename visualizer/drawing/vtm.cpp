@@ -82,7 +82,8 @@ vtkSmartPointer<vtkMultiBlockDataSet> multiblock(const Workbench& bench, const T
     put(blocks, "rays", rays_polydata(trace, region.open_length()));
     put(blocks, "hits", hits_polydata(trace));
     put(blocks, "inside_intervals", spans_polydata(trace, region.open_length()));
-    put(blocks, "places", places_polydata(trace));
+    if (const auto places = places_polydata(trace); places->GetNumberOfCells() > 0)
+        put(blocks, "places", places);
     vtkNew<vtkMultiBlockDataSet> surfaces;
     for (const Surface& surface : surfaces_near(bench, trace, drawn, region).shown)
         if (!surface.pieces.empty()) put(surfaces, surface.name, joined(surface.pieces));
