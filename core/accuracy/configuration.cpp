@@ -9,7 +9,7 @@
 namespace rayscope {
 namespace {
 
-constexpr int deepest = 256; // as deep as a scene may ask for: the recursion has to fit on the stack
+constexpr int deepest_asked = 256; // as deep as a scene may ask for: the recursion has to fit on the stack
 
 template <typename T> std::optional<T> number(std::string_view text) {
     T value{};
@@ -32,7 +32,7 @@ bool set_method(Configuration& configuration, std::string_view text) {
 
 bool set_depth(Configuration& configuration, std::string_view text) {
     const auto depth = number<int>(text);
-    if (!depth || *depth < 0 || *depth > deepest) return false;
+    if (!depth || *depth < 0 || *depth > deepest_asked) return false;
     configuration.max_depth = *depth;
     return true;
 }

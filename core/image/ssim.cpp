@@ -9,14 +9,14 @@
 namespace rayscope {
 namespace {
 
-constexpr int window_side = 11, middle = window_side / 2;
+constexpr int window_side = 11, window_middle = window_side / 2;
 
 std::array<double, window_side> gaussian() {
     constexpr double sigma = 1.5;
     std::array<double, window_side> weights{};
     double sum = 0;
     for (int i = 0; i < window_side; ++i) {
-        const double x = i - middle;
+        const double x = i - window_middle;
         sum += weights[std::size_t(i)] = std::exp(-x * x / (2 * sigma * sigma));
     }
     for (double& weight : weights) weight /= sum;

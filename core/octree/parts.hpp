@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const std::array<Part, 8>& parts() const { return parts_; }
 
     /// What testing an object costs, in units of a ball that is tested with seven others.
-    [[nodiscard]] double cost_of(std::uint32_t object) const { return brief_[object].cost; }
+    [[nodiscard]] double cost_of(std::uint32_t object) const { return double(brief_[object].cost); }
     [[nodiscard]] Box<double> bounds_of(std::uint32_t object) const;
 
 private:

@@ -90,7 +90,7 @@ template <Numbers N> struct Solid {
 
     /// A triangle of a mesh that is this solid.
     [[nodiscard]] static Crossing<T> crossing_of(const MeshCrossing<T>& c, std::uint32_t index) {
-        return {c.t, {index, c.triangle, false}, c.entering};
+        return {c.t, {index, std::int32_t(c.triangle), false}, c.entering};
     }
 
     /// A world length along a face's normal in object space, times the length of the normal.
