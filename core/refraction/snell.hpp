@@ -38,7 +38,7 @@ template <Scalar T>
     return {eta, cosine, sine, radicand, eta * d + (eta * cosine - sqrt(radicand)) * n};
 }
 
-/// Bends the direction d at a surface with normal n against it, both unit.
+/// Bends the direction d at a surface with normal n (of any length, on either side).
 ///
 /// With n against d, the direction is split into its parts along and across the normal, and the part across is scaled:
 ///     t = η (d + cos θ₁ n) − √k n,   k = cos² θ₂.
@@ -47,9 +47,15 @@ template <Scalar T>
 /// and the part across is n × (d × n), whose digits survive at normal incidence however large η is.
 /// Error of each component: a few ε · max(1, 1 / √k). For η = 1 the direction comes back unchanged.
 template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] Refraction<T> refract_unit(const Vec3<T>& d, const Vec3<T>& n, T speed_from, T speed_to) {
-    if constexpr (is_textbook<N>) return textbook_refract(d, n, speed_from, speed_to);
+[[nodiscard]] Refraction<T> refract(Vec3<T> d, Vec3<T> n, T speed_from, T speed_to) {
+    d = normalized(d);
+    n = normalized(n);
     T cosine = -dot(n, d);
+    if (cosine < T(0)) {
+        cosine = -cosine;
+        n = -n;
+    }
+    if constexpr (is_textbook<N>) return textbook_refract(d, n, speed_from, speed_to);
     const Vec3<T> turn = cross(d, n);
     const T sine = length(turn);
     if (sine < cosine) cosine = sqrt((T(1) - sine) * (T(1) + sine)); // near the normal the sine knows more
@@ -59,13 +65,6 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     const T radicand = fma(sine * one_minus, sine * one_plus, cosine * cosine);
     if (speed_from == speed_to || radicand < T(0)) return {eta, cosine, sine, radicand, d};
     return {eta, cosine, sine, radicand, eta * cross(n, turn) - sqrt(radicand) * n};
-}
-
-/// The same for d and n of any length, n on either side.
-template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] Refraction<T> refract(const Vec3<T>& d, const Vec3<T>& n, T speed_from, T speed_to) {
-    const Vec3<T> to = normalized(d), up = normalized(n);
-    return refract_unit<N>(to, dot(up, to) > T(0) ? -up : up, speed_from, speed_to);
 }
 
 } // namespace rayscope

@@ -47,10 +47,10 @@ Colour Tracer<N, Stage, Recorder, Order>::shade(const RayUse& use, const Ray<T>&
     const Colour local = local_light(at, budget);
     std::optional<Refraction<T>> bent;
     if (at.material->transmits()) {
-        bent = refract_unit<N>(at.incoming, at.facing, at.speed_from, at.speed_to);
+        bent = refract<N>(at.incoming, at.facing, at.speed_from, at.speed_to);
         // An interpolated normal may bend the ray back out of the face that it is to go through.
         if (at.smooth && !bent->total() && !(dot(bent->direction, at.flat) < T(0)))
-            bent = refract_unit<N>(at.incoming, at.flat, at.speed_from, at.speed_to);
+            bent = refract<N>(at.incoming, at.flat, at.speed_from, at.speed_to);
     }
     const bool total = bent && bent->total();
     // What can't get through is mirrored as well: one ray carries both shares.
