@@ -13,7 +13,7 @@ namespace rayscope {
 struct Surface {
     std::uint32_t solid;
     std::int32_t face; ///< a mesh has as many as triangles
-    bool flipped;       ///< part of what a compound subtracts: its normal is turned
+    bool flipped;      ///< part of what a compound subtracts: its normal is turned
 
     friend bool operator==(const Surface&, const Surface&) = default;
 };

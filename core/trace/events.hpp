@@ -233,10 +233,9 @@ struct Truncated {
     int kept = 0; ///< events in the whole trace
 };
 
-using Event =
-    std::variant<RaySpawned, SearchBegan, PlaceEntered, PlaceLeft, SearchEnded, ObjectAccepted, NodeEvaluated,
-                 SpanFound, ClusterMerged, BoundaryChosen, TriangleHit, Missed, AmbientLit, LightLit,
-                 LocalLightSkipped, BlockerPassed, Reflected, Refracted, TotallyReflected, NotSpawned,
-                 RayFinished, Truncated>;
+using Event = std::variant<RaySpawned, SearchBegan, PlaceEntered, PlaceLeft, SearchEnded, ObjectAccepted,
+                           NodeEvaluated, SpanFound, ClusterMerged, BoundaryChosen, TriangleHit, Missed,
+                           AmbientLit, LightLit, LocalLightSkipped, BlockerPassed, Reflected, Refracted,
+                           TotallyReflected, NotSpawned, RayFinished, Truncated>;
 
 } // namespace rayscope

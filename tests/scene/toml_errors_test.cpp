@@ -117,7 +117,8 @@ const Case geometry[] = {
     {"ShapeMissing", "[generics.a]\nmaterial = \"m\"\n",
      "s.toml:1:11: 'a' needs 'shape', for example shape = \"sphere\""},
     {"ShapeUnknown", "[generics.a]\nshape = \"sphear\"\n",
-     "s.toml:2:9: 'shape': expected sphere, plane, cylinder, cone, cube, torus, polygon, triangle or mesh, found "
+     "s.toml:2:9: 'shape': expected sphere, plane, cylinder, cone, cube, torus, polygon, triangle or mesh, "
+     "found "
      "'sphear'; did "
      "you mean 'sphere'?"},
     {"PolygonWithoutVertices", "[generics.p]\nshape = \"polygon\"\n",
