@@ -24,7 +24,8 @@ TEST(Usage, mistakes_are_named_with_what_was_expected) {
         {{}, "rayscope: no command; expected step, trace, render, extents, export, accuracy or help"},
         {{""}, "rayscope: no command; expected step, trace, render, extents, export, accuracy or help"},
         {{"stp"},
-         "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, trace, render, export, "
+         "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, trace, render, extents, "
+         "export, "
          "accuracy or "
          "help"},
         {{"help", "stp"}, "rayscope: unknown command 'stp'; did you mean 'step'?"},

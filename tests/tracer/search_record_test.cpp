@@ -108,8 +108,8 @@ TEST(SearchRecord, boxes_hold_the_ray_from_t_in_to_t_out_and_one_of_them_the_hit
         SCOPED_TRACE(name);
         const auto stages = make_stages(bench, stage_choice(name));
         int boxes = 0;
-        for (int x = 2; x < 64; x += 6) {
-            const Trace trace = trace_pixel(bench, *stages, x, 24);
+        for (int pixel = 0; pixel < 64 * 48; pixel += 29) {
+            const Trace trace = trace_pixel(bench, *stages, pixel % 64, pixel / 64);
             for (const TracedRay& ray : trace.rays) {
                 const RaySpawned& start = ray.start();
                 const auto* hit = ray.find<BoundaryChosen>();
