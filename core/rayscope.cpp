@@ -172,17 +172,16 @@ ScreenExtents screen_extents(const Workbench& bench, int width, int height) {
     ScreenExtents extents;
     extents.width = screen.width;
     extents.height = screen.height;
-    std::vector<std::uint32_t> apart;
-    auto rectangles = screen_rectangles(bench.world, screen.eye_rays, screen.width, screen.height, apart);
-    std::ranges::sort(rectangles, {}, &ScreenRectangle::nearest);
-    for (const ScreenRectangle& r : rectangles)
+    ScreenView view = screen_view(bench.world, screen.eye_rays, screen.width, screen.height);
+    std::ranges::sort(view.rectangles, {}, &ScreenRectangle::nearest);
+    for (const ScreenRectangle& r : view.rectangles)
         extents.rectangles.push_back({name(r.object), std::clamp(r.left, 0.0, double(screen.width)),
                                       std::clamp(r.top, 0.0, double(screen.height)),
                                       std::clamp(r.right, 0.0, double(screen.width)),
                                       std::clamp(r.bottom, 0.0, double(screen.height)), r.nearest});
-    for (const std::uint32_t id : apart) extents.apart.push_back(name(id));
+    for (const std::uint32_t id : view.apart) extents.apart.push_back(name(id));
 
-    const ProjectiveExtents<double> stage(bench.world, screen.eye_rays, screen.width, screen.height);
+    const ProjectiveExtents<double> stage(std::move(view), screen.width, screen.height);
     extents.tile = stage.tile_pixels();
     extents.entries = Map((screen.width - 1) / extents.tile + 1, (screen.height - 1) / extents.tile + 1);
     for (int y = 0; y < extents.entries.height; ++y)

@@ -2,22 +2,17 @@
 // The way of a ray through a tree of boxes, nearest first.
 
 #include "core/boxes/node8.hpp"
+#include "core/boxes/unwatched.hpp"
 
 #include <span>
 
 namespace rayscope {
 
-/// Who watches a walk is told of the nodes on the way, and of what is left out as too far away.
-struct Unwatched8 {
-    void node(std::uint32_t /*number*/) const {}
-    void left_out() const {}
-};
-
 /// Calls leaf(number) for the leaves that the ray may meet, roughly from the nearest on, until it returns true.
 /// @param nodes a tree as BoxTreeBuilder makes it, not empty
 /// @param reach reach() is how far the ray still counts, in the tree's units: it may shrink on the way
 /// @param visited counts the nodes
-template <typename Reach, typename Leaf, typename Watch = Unwatched8>
+template <typename Reach, typename Leaf, typename Watch = Unwatched>
 void walk8(std::span<const Node8> nodes, const Ray8& ray, const Reach& reach, std::uint64_t& visited,
            const Leaf& leaf, const Watch& watch = {}) {
     struct Ahead {

@@ -17,13 +17,42 @@ struct ScreenRectangle {
     std::uint32_t object;
 };
 
+/// The rectangles of all objects that the screen shows.
+struct ScreenView {
+    std::vector<ScreenRectangle> rectangles;
+    std::vector<std::uint32_t> apart; ///< objects that have none: see sort_out
+};
+template <Numbers N>
+[[nodiscard]] ScreenView screen_view(const World<N>& world, const EyeRays& eye_rays, int width, int height) {
+    ScreenView view;
+    std::vector<std::uint32_t> together;
+    const Reach reach = sort_out(world, view.apart, together);
+    const Views<N> views(world, reach.margin(largest_component(absolute(eye_rays.eye()))));
+    const auto frame = [&](const Vec3d& p) { return eye_rays.from_eye(p); };
+    const double scale = 1 / eye_rays.pixel(), half_width = 0.5 * width, half_height = 0.5 * height;
+    for (const std::uint32_t id : together) {
+        const auto seen = views.rectangle(world.objects[id], frame);
+        if (!seen) continue;
+        const ScreenRectangle r{seen->left * scale + half_width,
+                                seen->top * scale + half_height,
+                                seen->right * scale + half_width,
+                                seen->bottom * scale + half_height,
+                                seen->nearest,
+                                id};
+        if (r.right >= -1 && r.left <= width + 1 && r.bottom >= -1 && r.top <= height + 1)
+            view.rectangles.push_back(r);
+    }
+    return view;
+}
+
 /// For eye rays alone: a mirrored ray has no place on the screen. The screen is cut into tiles; each lists the objects
 /// whose rectangle meets it, nearest first, and a ray ends where the next one begins beyond its hit.
 template <Numbers N> class ProjectiveExtents {
 public:
     static constexpr int tile = 8; ///< pixels along an edge
 
-    ProjectiveExtents(const World<N>& world, const EyeRays& eye_rays, int width, int height);
+    /// @param view of a screen of this size
+    ProjectiveExtents(ScreenView view, int width, int height);
 
     /// True for rays through a pixel of the screen.
     [[nodiscard]] bool knows(const RayUse& use) const {
@@ -38,7 +67,6 @@ public:
     [[nodiscard]] std::span<const CellLists::Entry> list_at(int x, int y) const {
         return lists_.at(x / tile, y / tile);
     }
-    [[nodiscard]] const std::vector<std::uint32_t>& apart() const { return apart_; }
 
 private:
     [[nodiscard]] PlaceEntered tile_entered(const RayUse& use, int held) const;
@@ -48,43 +76,16 @@ private:
     std::vector<std::uint32_t> apart_; // tested by every ray
 };
 
-/// The rectangles of all objects that the screen shows.
-/// @param apart becomes the objects that have none: without end, or such that rounding could carry their crossings far
 template <Numbers N>
-[[nodiscard]] std::vector<ScreenRectangle> screen_rectangles(const World<N>& world, const EyeRays& eye_rays,
-                                                             int width, int height,
-                                                             std::vector<std::uint32_t>& apart) {
-    std::vector<std::uint32_t> together;
-    const Reach reach = sort_out(world, apart, together);
-    const Views<N> views(world, reach.margin(largest_component(absolute(eye_rays.eye()))));
-    const auto frame = [&](const Vec3d& p) { return eye_rays.from_eye(p); };
-    const double scale = 1 / eye_rays.pixel(), half_width = 0.5 * width, half_height = 0.5 * height;
-    std::vector<ScreenRectangle> rectangles;
-    for (const std::uint32_t id : together) {
-        const auto seen = views.rectangle(world.objects[id], frame);
-        if (!seen) continue;
-        const ScreenRectangle r{seen->left * scale + half_width,
-                                seen->top * scale + half_height,
-                                seen->right * scale + half_width,
-                                seen->bottom * scale + half_height,
-                                seen->nearest,
-                                id};
-        if (r.right >= -1 && r.left <= width + 1 && r.bottom >= -1 && r.top <= height + 1)
-            rectangles.push_back(r);
-    }
-    return rectangles;
-}
-
-template <Numbers N>
-ProjectiveExtents<N>::ProjectiveExtents(const World<N>& world, const EyeRays& eye_rays, int width, int height)
-    : width_(width), height_(height) {
+ProjectiveExtents<N>::ProjectiveExtents(ScreenView view, int width, int height)
+    : width_(width), height_(height), apart_(std::move(view.apart)) {
     // To a tile, which is one of the screen's own; a rectangle may reach beyond, and rounding by a part of a pixel.
     constexpr double rounding = 0x1p-10;
     const auto tile_of = [](double pixel, int size) {
         return int(minimum(maximum(pixel, 0.0), double(size) - 0.5)) / tile;
     };
     std::vector<CellLists::Item> items;
-    for (const ScreenRectangle& r : screen_rectangles(world, eye_rays, width, height, apart_))
+    for (const ScreenRectangle& r : view.rectangles)
         items.push_back({tile_of(r.left - rounding, width), tile_of(r.top - rounding, height),
                          tile_of(r.right + rounding, width), tile_of(r.bottom + rounding, height),
                          below(r.nearest), r.object});

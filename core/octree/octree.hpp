@@ -1,18 +1,13 @@
 #pragma once
 // Space cut into eight, and each part into eight again, where there is anything in it.
 
+#include "core/boxes/unwatched.hpp"
 #include "core/octree/node.hpp"
 #include "core/stage/bins.hpp"
 #include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
 
 namespace rayscope {
-
-/// Who watches a walk through an octree is told of the nodes on the way, and of what is left out as too far away.
-struct Unwatched {
-    void node(std::uint32_t /*place*/, const OctreeNode& /*node*/, const Cell& /*cell*/) const {}
-    void left_out() const {}
-};
 
 /// An octree in world space. (After the projection, where the notes put it, angles are others, and what lies behind the
 /// eye is nowhere: a mirrored ray could not use it.) A cell lists the objects whose surface may pass through it, and

@@ -8,25 +8,46 @@
 
 namespace rayscope {
 
-struct Nothing {};
+/// What the record of a search needs besides; nothing where nothing is recorded.
+template <bool recording> class SearchNotes {
+protected:
+    explicit SearchNotes(const Counters& /*counters*/) {}
+};
+template <> class SearchNotes<true> {
+public:
+    /// Something that begins beyond reach() was left out.
+    void leave_out() { left_out_ = true; }
+    /// What had been counted when the search began.
+    [[nodiscard]] const Counters& before() const { return before_; }
+
+protected:
+    explicit SearchNotes(const Counters& counters) : before_(counters) {}
+    [[nodiscard]] SearchEnd end_of_way() const {
+        return left_out_ ? SearchEnd::beyond_reach : SearchEnd::nothing_left;
+    }
+
+private:
+    Counters before_;
+    bool left_out_ = false;
+};
 
 /// The nearest crossing with t in the range, with those of other objects that may coincide with it. What it holds in the
 /// end depends on the objects that were tested, not on their order.
-template <Numbers N, typename Recorder> class NearestSearch {
+template <Numbers N, typename Recorder> class NearestSearch : public SearchNotes<Recorder::enabled> {
 public:
     using T = ScalarOf<N>;
     static constexpr bool recording = Recorder::enabled;
 
     NearestSearch(const World<N>& world, const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
                   Work<T>& work, Recorder& recorder)
-        : world_(world),
+        : SearchNotes<recording>(work.counters),
+          world_(world),
           ray_(ray),
           range_(range),
           leaving_(leaving),
           work_(work),
           recorder_(recorder),
           nearest_(ray) {
-        if constexpr (recording) before_ = work.counters;
         // What the ray leaves starts with a crossing at t = 0 that no box knows of.
         for (const LeavingSurface<T>& surface : leaving) test(surface.object, &surface);
     }
@@ -39,17 +60,15 @@ public:
     /// What begins beyond this t can't change the answer.
     [[nodiscard]] T reach() const { return minimum(range_.max, nearest_.reach()); }
     [[nodiscard]] bool done() const { return false; }
-    /// For the record: something that begins beyond reach() was left out.
-    void leave_out() { left_out_ = true; }
-    [[nodiscard]] SearchEnd end() const {
-        return left_out_ ? SearchEnd::beyond_reach : SearchEnd::nothing_left;
+    [[nodiscard]] SearchEnd end() const
+        requires recording
+    {
+        return this->end_of_way();
     }
     [[nodiscard]] const Nearest<T>& result() const { return nearest_; }
     [[nodiscard]] const Ray<T>& ray() const { return ray_; }
     [[nodiscard]] Work<T>& work() const { return work_; }
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
-    /// For the record: what had been counted when the search began.
-    [[nodiscard]] const auto& before() const { return before_; }
 
 private:
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
@@ -65,21 +84,24 @@ private:
     Work<T>& work_;
     Recorder& recorder_;
     Nearest<T> nearest_;
-    bool left_out_ = false;
-    [[no_unique_address]] std::conditional_t<recording, Counters, Nothing> before_;
 };
 
 /// Whether an opaque object has a crossing in the range. If there is none, work.blockers holds the crossings of
 /// transmitting objects in the range, by (t, object).
-template <Numbers N, typename Recorder> class BlockerSearch {
+template <Numbers N, typename Recorder> class BlockerSearch : public SearchNotes<Recorder::enabled> {
 public:
     using T = ScalarOf<N>;
     static constexpr bool recording = Recorder::enabled;
 
     BlockerSearch(const World<N>& world, const Ray<T>& ray, const Range<T>& range, const Leaving<T>& leaving,
                   Work<T>& work, Recorder& recorder)
-        : world_(world), ray_(ray), range_(range), leaving_(leaving), work_(work), recorder_(recorder) {
-        if constexpr (recording) before_ = work.counters;
+        : SearchNotes<recording>(work.counters),
+          world_(world),
+          ray_(ray),
+          range_(range),
+          leaving_(leaving),
+          work_(work),
+          recorder_(recorder) {
         work.blockers.clear();
         for (const LeavingSurface<T>& surface : leaving)
             if (!blocked_) test(surface.object, &surface);
@@ -93,12 +115,12 @@ public:
     void covered() { blocked_ = covered_ = true; }
     [[nodiscard]] T reach() const { return range_.max; }
     [[nodiscard]] bool done() const { return blocked_; }
-    /// For the record: something that begins beyond reach() was left out.
-    void leave_out() { left_out_ = true; }
-    [[nodiscard]] SearchEnd end() const {
+    [[nodiscard]] SearchEnd end() const
+        requires recording
+    {
         if (covered_) return SearchEnd::covered;
         if (blocked_) return SearchEnd::blocked;
-        return left_out_ ? SearchEnd::beyond_reach : SearchEnd::nothing_left;
+        return this->end_of_way();
     }
     [[nodiscard]] bool result() {
         if (!blocked_ && work_.blockers.size() > 1)
@@ -110,8 +132,6 @@ public:
     [[nodiscard]] const Ray<T>& ray() const { return ray_; }
     [[nodiscard]] Work<T>& work() const { return work_; }
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
-    /// For the record: what had been counted when the search began.
-    [[nodiscard]] const auto& before() const { return before_; }
 
 private:
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
@@ -134,8 +154,7 @@ private:
     const Leaving<T>& leaving_;
     Work<T>& work_;
     Recorder& recorder_;
-    bool blocked_ = false, covered_ = false, left_out_ = false;
-    [[no_unique_address]] std::conditional_t<recording, Counters, Nothing> before_;
+    bool blocked_ = false, covered_ = false;
 };
 
 /// A stage is a type with look(use, search): it calls search.test(object) for every object that may change the answer,

@@ -31,8 +31,9 @@ void StageSet::build(StageKind kind, const std::optional<Screen>& screen) {
     case StageKind::octree: once(octree_); break;
     case StageKind::bvh: once(bvh_); break;
     case StageKind::projective:
-        projective_ = std::make_unique<ProjectiveExtents<double>>(world_, screen->eye_rays, screen->width,
-                                                                  screen->height);
+        projective_ = std::make_unique<ProjectiveExtents<double>>(
+            screen_view(world_, screen->eye_rays, screen->width, screen->height), screen->width,
+            screen->height);
         break;
     }
 }

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <optional>
 
 namespace {
 
@@ -43,16 +44,23 @@ Trace read_trace(const std::string& path) {
     }
 }
 
-drawing::PictureSize parse_size(const std::string& text) {
+/// WIDTHxHEIGHT, or nothing.
+std::optional<drawing::PictureSize> size_in(const std::string& text) {
     drawing::PictureSize size;
-    if (text.empty()) return size;
     char x = 0, rest = 0;
     const int read = std::sscanf(text.c_str(), "%5d%c%5d%c", &size.width, &x, &size.height, &rest);
-    if (read != 3 || (x != 'x' && x != 'X') || !size.valid())
+    if (read != 3 || (x != 'x' && x != 'X')) return std::nullopt;
+    return size;
+}
+
+drawing::PictureSize parse_size(const std::string& text) {
+    if (text.empty()) return {};
+    const auto size = size_in(text);
+    if (!size || !size->valid())
         throw InputError("--size", {},
                          "'" + text +
                              "' is no picture size: expected WIDTHxHEIGHT between 480x320 and 7680x4320");
-    return size;
+    return *size;
 }
 
 void draw(const Arguments& arguments) {
@@ -77,11 +85,13 @@ void draw_extents(const Arguments& arguments) {
     check_writable(arguments.output);
     const Workbench bench = open(arguments.scene);
     RenderOptions options;
-    char rest = 0;
-    if (!arguments.size.empty() &&
-        (std::sscanf(arguments.size.c_str(), "%5dx%5d%c", &options.width, &options.height, &rest) != 2 ||
-         options.width < 1 || options.height < 1))
-        throw InputError("--size", {}, "'" + arguments.size + "' is no size: expected WIDTHxHEIGHT");
+    if (!arguments.size.empty()) {
+        const auto size = size_in(arguments.size);
+        if (!size || size->width < 1 || size->height < 1)
+            throw InputError("--size", {}, "'" + arguments.size + "' is no size: expected WIDTHxHEIGHT");
+        options.width = size->width;
+        options.height = size->height;
+    }
     const RenderResult result = render(bench, options);
     const std::string name = std::filesystem::path(arguments.scene).stem().string();
     drawing::write_png(
