@@ -27,22 +27,28 @@ double bound_of(const Solid<double>& solid, const Ray<double>& ray, const Leavin
     return solid.error_bound(ray, t, face, start.bound) + solid.error_bound(ray, 0, face, start.bound);
 }
 
-// Does the ray keep as close to the surface, from its start to t, as it may have started beside it? Then a crossing of
-// the start's direction is the start, moved along a graze; and one of the other may be rounding's. (The core asks in one place whether that is less
-// than twice as far; what is asked in more places may be twice that again.)
-bool hugs(const Solid<double>& solid, const Ray<double>& ray, const LeavingSurface<double>& start, double t) {
+// Does the ray keep as close to the surface, from its start to t, as so many times what it may have started beside it?
+bool hugs(const Solid<double>& solid, const Ray<double>& ray, const LeavingSurface<double>& start, double t,
+          double times) {
     const Ray<double> moved = solid.transform.to_object(ray);
     const Vec3d n =
         std::visit([&](const auto& s) { return s.normal(moved.origin, start.surface.face); }, solid.shape);
     const double scale = length(n);
     const double off =
         start.bound * std::abs(dot(n, solid.transform.vector_to_object(solid.transform.normal_to_world(n))));
-    const double limit = 4 * (off + solid.surface_distance(ray, t, n)) / scale;
+    const double limit = times * (off + solid.surface_distance(ray, t, n)) / scale;
     constexpr int places = 8;
     for (int i = 1; i <= places; ++i)
         if (std::abs(implicit_value(solid.shape, moved.at(t * i / places))) > limit) return false;
     return true;
 }
+
+// A crossing of the start's direction up to which the ray hugs the surface this closely is the start, moved along a
+// graze. The core asks in one place whether that is at most twice as far …
+constexpr double surely_start = 2;
+// … so that what is asked in more places may be twice that again: the crossing may be the start or another one, and one
+// of the other direction may be rounding's.
+constexpr double perhaps_start = 2 * surely_start;
 
 // The crossings of the solid beyond the ray's start, which is one of its own. Two that lie within their bounds of each
 // other may be seen or not.
@@ -51,9 +57,9 @@ std::vector<Expected> beyond_start(const Case& c, const Solid<double>& solid, co
     std::vector<Expected> found;
     for (const ExactCrossing& e : exact_crossings(c.shape, exact_object_ray(c.matrix, ray))) {
         const double t = double(e.t), bound = bound_of(solid, ray, start, t, e.face);
-        const bool at_start = std::abs(t) <= 2 * bound || hugs(solid, ray, start, t);
+        const bool at_start = std::abs(t) <= 2 * bound || hugs(solid, ray, start, t, surely_start);
         if (at_start ? e.entering == inward : t < 0) continue;
-        found.push_back({t, bound, 0, !at_start});
+        found.push_back({t, bound, 0, !at_start && !hugs(solid, ray, start, t, perhaps_start)});
     }
     for (std::size_t i = 0; i + 1 < found.size(); ++i)
         if (found[i + 1].t - found[i].t <= found[i].bound + found[i + 1].bound)
@@ -141,7 +147,8 @@ Reported as_reported(const World<double>& world, const Ray<double>& ray, const L
     reported.bound = bound_at(hit.t, hit.surface.face);
     if (hit.object != 0) return reported;
     // A start that is met again runs the start's way; what runs the other way so close to it may be rounding's.
-    if (hit.entering != inward && (hit.t <= 2 * reported.bound || hugs(solid, ray, start, hit.t)))
+    if (hit.entering != inward &&
+        (hit.t <= 2 * reported.bound || hugs(solid, ray, start, hit.t, perhaps_start)))
         reported.certain = false;
     std::vector<std::pair<double, double>> ends; // t and bound
     for (const Interval<double>& span : solid.intervals(ray, start.surface.face)) {
