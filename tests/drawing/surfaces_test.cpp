@@ -74,15 +74,15 @@ TEST(Surfaces, normals_point_out_of_every_generic_mirrored_ones_too) {
 
 TEST(Surfaces, a_hidden_operand_leaves_no_piece) {
     SceneBuilder builder;
-    Mat4d small{0.5};
-    small[3][3] = 1;
+    Mat4d half{0.5};
+    half[3][3] = 1;
     builder.operand("large", Sphere<double>{});
-    builder.operand("small", Sphere<double>{}, small);
+    builder.operand("small", Sphere<double>{}, half);
     builder.compound("both", "large | small", builder.glowing(Colour{1}));
     EXPECT_EQ(object_surface(builder.scene(), 0, {48, false}, around_origin).size(), 1U);
     SceneBuilder none_left;
     none_left.operand("large", Sphere<double>{});
-    none_left.operand("small", Sphere<double>{}, small);
+    none_left.operand("small", Sphere<double>{}, half);
     none_left.compound("nothing", "small - large", none_left.glowing(Colour{1}));
     EXPECT_TRUE(object_surface(none_left.scene(), 0, {48, false}, around_origin).empty());
 }
