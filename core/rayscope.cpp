@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <tbb/parallel_for.h>
 
 namespace rayscope {
 namespace {
@@ -33,8 +34,16 @@ template <Scalar T, typename Record> Recording recorded(const Ray<double>& ray, 
     if (scale != 1) rescale(recording.rays.front(), scale);
     return recording;
 }
-template <Numbers N> Recording recorded(const World<N>& world, const Ray<double>& ray) {
-    return recorded<ScalarOf<N>>(ray, [&](const Ray<double>& scaled) { return record(world, scaled); });
+template <Numbers N>
+Recording recorded(const World<N>& world, const Ray<double>& ray,
+                   const std::optional<SampleAddress>& sample) {
+    return recorded<ScalarOf<N>>(ray,
+                                 [&](const Ray<double>& scaled) { return record(world, scaled, sample); });
+}
+
+std::optional<SampleAddress> address_of(const TraceSource& source) {
+    if (source.by_hand) return std::nullopt;
+    return SampleAddress{source.x, source.y, source.sample};
 }
 
 // Objects and solids have the same ids in every World of a scene: any of them can name what was recorded.
@@ -54,14 +63,14 @@ Trace named(const Workbench& bench, const Configuration& configuration, Recordin
 }
 
 Trace traced(const Workbench& bench, const Ray<double>& ray, TraceSource source) {
-    return named(bench, {{}, bench.world.max_depth, bench.world.min_weight}, recorded(bench.world, ray),
-                 std::move(source));
+    return named(bench, {{}, bench.world.max_depth, bench.world.min_weight},
+                 recorded(bench.world, ray, address_of(source)), source);
 }
 
 Trace traced(const Workbench& bench, const StageSet& stages, const Ray<double>& ray, TraceSource source) {
-    const int x = source.by_hand ? none : source.x, y = source.by_hand ? none : source.y;
-    Recording recording = recorded<double>(
-        ray, [&](const Ray<double>& scaled) { return record(bench.world, stages, scaled, x, y); });
+    Recording recording = recorded<double>(ray, [&](const Ray<double>& scaled) {
+        return record(bench.world, stages, scaled, address_of(source));
+    });
     return named(bench, {{}, bench.world.max_depth, bench.world.min_weight}, std::move(recording),
                  std::move(source));
 }
@@ -69,7 +78,7 @@ Trace traced(const Workbench& bench, const StageSet& stages, const Ray<double>& 
 Trace traced(const Workbench& bench, const Configuration& configuration, const Ray<double>& ray,
              TraceSource source) {
     Recording recording = with_numbers(configuration.numbers, [&]<Numbers N>() {
-        return recorded(world_of<N>(bench.scene, configuration), ray);
+        return recorded(world_of<N>(bench.scene, configuration), ray, address_of(source));
     });
     return named(bench, configuration, std::move(recording), std::move(source));
 }
@@ -79,11 +88,13 @@ Screen screen_of(const Camera& camera, int width, int height) {
     return {EyeRays(camera, columns, rows), columns, rows};
 }
 
-std::pair<Ray<double>, TraceSource> through_pixel(const Camera& camera, int x, int y, int width, int height) {
+std::pair<Ray<double>, TraceSource> through_pixel(const Camera& camera, int x, int y, int width, int height,
+                                                  int sample) {
     TraceSource source;
     source.x = x;
     source.y = y;
-    return {screen_of(camera, width, height).eye_rays.through(x + 0.5, y + 0.5), std::move(source)};
+    source.sample = sample;
+    return {screen_of(camera, width, height).eye_rays.of({x, y, sample}), std::move(source)};
 }
 
 TraceSource by_hand(const Ray<double>& ray) {
@@ -93,9 +104,7 @@ TraceSource by_hand(const Ray<double>& ray) {
     return source;
 }
 
-} // namespace
-
-Scene load_scene(const std::filesystem::path& path) {
+Scene read_scene(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
     if (extension == ".toml") return read_toml(path);
     if (extension == ".nff") return read_nff(path);
@@ -103,12 +112,43 @@ Scene load_scene(const std::filesystem::path& path) {
     throw InputError(path.string(), {}, "not a scene: its name must end in .toml, .nff, .obj or .ply");
 }
 
+std::string names_of(const EffectSet& some, const EffectSet& others) {
+    std::string names;
+    for (std::size_t i = 0; i < effect_names.size(); ++i)
+        if (some.has(Effect(i)) && !others.has(Effect(i)))
+            names.append(names.empty() ? "" : ", ").append(effect_names[i].name);
+    return names;
+}
+
+// For experiments: not what the scene calls for.
+Scene with_chosen_effects(Scene scene, const std::optional<std::string>& text) {
+    const EffectSet needed = needed_effects(effect_needs(scene, build(scene)));
+    const EffectSet wanted = text ? parse_effects(*text, needed) : *scene.effects;
+    const std::string added = names_of(wanted, needed), missing = names_of(needed, wanted);
+    if (!added.empty())
+        scene.warnings.push_back(
+            fmt::format("{}: simulated though nothing in the scene calls for it: {}", scene.file, added));
+    if (!missing.empty())
+        scene.warnings.push_back(fmt::format(
+            "{}: called for by the scene, and not simulated, as it was asked: {}", scene.file, missing));
+    return with_effects(std::move(scene), needed, wanted);
+}
+
+} // namespace
+
+Scene load_scene(const std::filesystem::path& path, const std::optional<std::string>& effects) {
+    Scene scene = read_scene(path);
+    return effects || scene.effects ? with_chosen_effects(std::move(scene), effects) : scene;
+}
+
 Workbench make_workbench(Scene scene) {
     World<double> world = build(scene);
     return {std::move(scene), std::move(world)};
 }
 
-Workbench open(const std::filesystem::path& path) { return make_workbench(load_scene(path)); }
+Workbench open(const std::filesystem::path& path, const std::optional<std::string>& effects) {
+    return make_workbench(load_scene(path, effects));
+}
 
 RenderResult render(const Workbench& bench, const RenderOptions& options) {
     return render(bench.world, bench.scene.camera, options);
@@ -134,8 +174,8 @@ std::string content_hash(const std::filesystem::path& path) {
     return fmt::format("{:016x}", Fnv1a().add(text.data(), text.size()).value());
 }
 
-Trace trace_pixel(const Workbench& bench, int x, int y, int width, int height) {
-    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height);
+Trace trace_pixel(const Workbench& bench, int x, int y, int width, int height, int sample) {
+    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height, sample);
     return traced(bench, ray, std::move(source));
 }
 
@@ -147,8 +187,9 @@ std::shared_ptr<const StageSet> make_stages(const Workbench& bench, const std::o
                                       screen_of(bench.scene.camera, width, height));
 }
 
-Trace trace_pixel(const Workbench& bench, const StageSet& stages, int x, int y, int width, int height) {
-    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height);
+Trace trace_pixel(const Workbench& bench, const StageSet& stages, int x, int y, int width, int height,
+                  int sample) {
+    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height, sample);
     return traced(bench, stages, ray, std::move(source));
 }
 
@@ -157,13 +198,33 @@ Trace trace_ray(const Workbench& bench, const StageSet& stages, const Ray<double
 }
 
 Trace trace_pixel(const Workbench& bench, const Configuration& configuration, int x, int y, int width,
-                  int height) {
-    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height);
+                  int height, int sample) {
+    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height, sample);
     return traced(bench, configuration, ray, std::move(source));
 }
 
 Trace trace_ray(const Workbench& bench, const Configuration& configuration, const Ray<double>& ray) {
     return traced(bench, configuration, ray, by_hand(ray));
+}
+
+Ledger ledger(const Workbench& bench, int width, int height) {
+    const Screen screen = screen_of(bench.scene.camera, width, height);
+    const StageSet stages(bench.world, best_choice(bench.world).choice, screen);
+    std::vector<Ledger> rows(std::size_t(screen.height));
+    tbb::parallel_for(0, screen.height, [&](int y) {
+        for (int x = 0; x < screen.width; ++x) {
+            const SampleAddress sample{x, y, 0};
+            rows[std::size_t(y)] +=
+                ledger_of(record(bench.world, stages, screen.eye_rays.of(sample), sample).rays);
+        }
+    });
+    Ledger sum; // row by row: the same for any number of threads
+    for (const Ledger& row : rows) sum += row;
+    const double pixels = double(screen.width) * screen.height;
+    for (auto& source : sum.sources) source.second /= pixels;
+    sum.absorbed /= pixels;
+    sum.total /= pixels;
+    return sum;
 }
 
 ScreenExtents screen_extents(const Workbench& bench, int width, int height) {

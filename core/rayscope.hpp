@@ -9,6 +9,8 @@
 #include "core/accuracy/report.hpp"
 #include "core/accuracy/verdict.hpp"
 #include "core/cases/score_report.hpp"
+#include "core/effects/change_effects.hpp"
+#include "core/effects/effect_cost.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/utf8.hpp"
 #include "core/image/image.hpp"
@@ -20,7 +22,9 @@
 #include "core/scene/scene.hpp"
 #include "core/scene/wording.hpp"
 #include "core/shading/phong.hpp"
+#include "core/shading/spectrum.hpp"
 #include "core/trace/divergence.hpp"
+#include "core/trace/ledger.hpp"
 #include "core/trace/trace.hpp"
 #include "core/trace/trace_json.hpp"
 #include "core/tracer/render.hpp"
@@ -38,8 +42,12 @@ struct Workbench {
 };
 
 /// Reads .toml, .nff, or a mesh, .obj or .ply, by extension. Throws InputError.
-[[nodiscard]] Scene load_scene(const std::filesystem::path& path);
-[[nodiscard]] Workbench open(const std::filesystem::path& path);
+/// @param effects what a person asks for, as parse_effects reads it; it overrides the scene's own word. Throws
+/// std::invalid_argument where it can't be read. A warning says what the scene would not have called for.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path,
+                               const std::optional<std::string>& effects = {});
+[[nodiscard]] Workbench open(const std::filesystem::path& path,
+                             const std::optional<std::string>& effects = {});
 
 /// From a scene that is at hand. Throws InputError where it can't be drawn.
 [[nodiscard]] Workbench make_workbench(Scene scene);
@@ -60,7 +68,9 @@ struct Workbench {
 
 /// The sample of pixel (x, y), traced again with everything recorded: its colour is the image's, bit for bit.
 /// width × height: of the image that the pixel belongs to; 0: the scene's.
-[[nodiscard]] Trace trace_pixel(const Workbench& bench, int x, int y, int width = 0, int height = 0);
+/// sample: which of the pixel's, 0 in its middle
+[[nodiscard]] Trace trace_pixel(const Workbench& bench, int x, int y, int width = 0, int height = 0,
+                                int sample = 0);
 
 /// A ray given by hand. Its direction need not be unit.
 [[nodiscard]] Trace trace_ray(const Workbench& bench, const Ray<double>& ray);
@@ -74,14 +84,19 @@ make_stages(const Workbench& bench, const std::optional<StageChoice>& choice, in
 /// The same rays, hits and colours by the way of stages: the trace tells of the places that they look into, and only of
 /// the objects that they test.
 [[nodiscard]] Trace trace_pixel(const Workbench& bench, const StageSet& stages, int x, int y, int width = 0,
-                                int height = 0);
+                                int height = 0, int sample = 0);
 [[nodiscard]] Trace trace_ray(const Workbench& bench, const StageSet& stages, const Ray<double>& ray);
 
 /// The same rays in the numbers and with the limits of a configuration; what is recorded is double all the same.
 [[nodiscard]] Trace trace_pixel(const Workbench& bench, const Configuration& configuration, int x, int y,
-                                int width = 0, int height = 0);
+                                int width = 0, int height = 0, int sample = 0);
 [[nodiscard]] Trace trace_ray(const Workbench& bench, const Configuration& configuration,
                               const Ray<double>& ray);
+
+/// Where the light of an image comes from, each pixel's middle recorded: mean light of a pixel. Objects are the scene's
+/// drawn ones.
+/// @param width, height 0: the scene's
+[[nodiscard]] Ledger ledger(const Workbench& bench, int width = 0, int height = 0);
 
 /// The screen as the stage of projective extents sees it.
 struct ScreenExtents {

@@ -136,13 +136,13 @@ Workbench balls_on_floor() {
     return make_workbench(std::move(scene));
 }
 
-void shade(Checksum& checksum) {
+template <EffectMask mask> void shade(Checksum& checksum) {
     static const Workbench bench = balls_on_floor();
     static const Scan<double> stage(bench.world);
     static const auto list = rays();
     Work<double> work;
     NullRecorder recorder;
-    Tracer tracer(bench.world, stage, work, recorder);
+    Tracer<double, Scan<double>, NullRecorder, DepthFirst, mask> tracer(bench.world, stage, work, recorder);
     for (int n = 0; n < repetitions / 20; ++n)
         for (const auto& ray : list) checksum.add(tracer.trace(ray));
 }
@@ -153,7 +153,8 @@ constexpr std::array kernels{
     Kernel{"torus", intersect<Torus<double>>},
     Kernel{"sweep", sweep},
     Kernel{"refraction", refraction},
-    Kernel{"shade", shade},
+    Kernel{"shade", shade<EffectMask::classic>},
+    Kernel{"shade_all", shade<EffectMask::all>},
 };
 
 } // namespace

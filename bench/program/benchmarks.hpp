@@ -11,6 +11,7 @@ using Arguments = std::vector<std::string>;
 
 /// Each prints its table and returns the exit code.
 [[nodiscard]] int accuracy_cost(const Arguments& arguments);
+[[nodiscard]] int effects_cost(const Arguments& arguments);
 /// Reads the words of its command line itself.
 [[nodiscard]] int stages_cost(const Arguments& words);
 

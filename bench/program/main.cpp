@@ -27,6 +27,8 @@ struct Benchmark {
 constexpr std::array benchmarks{
     Benchmark{"accuracy", "what accuracy costs: time and digits of each generic, number type and method",
               rayscope::bench::accuracy_cost},
+    Benchmark{"effects", "what each effect costs on one scene, and what samples at edges alone save",
+              rayscope::bench::effects_cost},
     Benchmark{"stages",
               "what each stage buys: time, tests and cells a ray, scene by scene; --help tells more",
               rayscope::bench::stages_cost, true},

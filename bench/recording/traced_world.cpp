@@ -60,7 +60,8 @@ double trace_world() {
     constexpr int size = 64;
     const EyeRays eye_rays({{0, 1, 7}, {0, 0, 0}, {0, 1, 0}, 45, size, size}, size, size);
     NullRecorder recorder;
-    Tracer tracer(world, stage, work, recorder);
+    Tracer<double, Scan<double>, NullRecorder, DepthFirst, EffectMask::classic> tracer(world, stage, work,
+                                                                                       recorder);
     Colour sum{0};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) sum += tracer.trace(eye_rays.through(x + 0.5, y + 0.5));

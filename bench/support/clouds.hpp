@@ -25,7 +25,7 @@ namespace rayscope::bench {
     scene.limits = {4, 0};
     SceneMaterial& material = scene.materials.emplace_back();
     material.reflection = Colour{0.2};
-    scene.lights.push_back({"lamp", false, {4, 6, 5}, Colour{1}, true, {}});
+    scene.lights.push_back({"lamp", false, {4, 6, 5}, Colour{1}, true, {}, {}});
     scene.camera.eye = normalized(Vec3d{0.3, 0.5, 1}) * 4.5;
     scene.camera.field_of_view = 36;
     scene.generics.reserve(count);

@@ -87,7 +87,7 @@ Scene stand(double size) {
     scene.limits = {4, 0};
     scene.camera.eye = {0, 0.9 * size, 1.1 * size};
     scene.camera.field_of_view = 50;
-    scene.lights.push_back({"lamp", false, {-size, 2 * size, size}, Colour{1}, true, {}});
+    scene.lights.push_back({"lamp", false, {-size, 2 * size, size}, Colour{1}, true, {}, {}});
     scene.materials.resize(2);
     scene.materials[1].specular = Colour{0.3};
     scene.materials[1].reflection = Colour{0.2};

@@ -19,6 +19,10 @@ struct Image {
         float* pixel = &rgb[3 * (std::size_t(y) * std::size_t(width) + std::size_t(x))];
         for (int i = 0; i < 3; ++i) pixel[i] = float(colour[i]);
     }
+    [[nodiscard]] Colour at(int x, int y) const {
+        const float* pixel = &rgb[3 * (std::size_t(y) * std::size_t(width) + std::size_t(x))];
+        return {double(pixel[0]), double(pixel[1]), double(pixel[2])};
+    }
 };
 
 /// True for the extensions that write_image knows: .png .pfm .exr.

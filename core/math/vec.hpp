@@ -69,4 +69,12 @@ template <Scalar T> [[nodiscard]] inline Vec3<T> normalized(const Vec3<T>& v) {
     return w / sqrt(dot(w, w));
 }
 
+/// Some unit vector at right angles to the unit vector w: the cross product with the axis that lies farthest from it.
+template <Scalar T> [[nodiscard]] inline Vec3<T> across(const Vec3<T>& w) {
+    const Vec3<T> a = absolute(w);
+    Vec3<T> axis{0};
+    axis[a.x <= a.y && a.x <= a.z ? 0 : a.y <= a.z ? 1 : 2] = T(1);
+    return normalized(cross(axis, w));
+}
+
 } // namespace rayscope

@@ -1,6 +1,7 @@
 #include "core/povray/differences.hpp"
 
 #include "core/povray/flush_faces.hpp"
+#include "core/povray/textures.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ public:
         find_in_limits();
         find_in_lights();
         find_in_materials();
+        find_in_effects();
         find_in_media();
         find_in_shapes();
         find_in_compounds();
@@ -51,6 +53,28 @@ private:
         for (const SceneMaterial& material : scene_.materials)
             if (!is_grey(material.specular))
                 say("material '{}': the colour of its highlights is averaged to grey", material.name);
+    }
+
+    void find_in_effects() {
+        for (const SceneMaterial& material : scene_.materials) {
+            if (material.dispersion.spreads())
+                say("material '{}': its index is that of yellow light for all colours", material.name);
+            if (material.mirror == Mirror::schlick)
+                say("material '{}': Fresnel's equations take the place of Schlick's approximation",
+                    material.name);
+        }
+        // Of a compound's walls each would have its operand's space.
+        for (std::size_t id = 0; id < scene_.drawn.size(); ++id) {
+            const std::uint32_t material = world_.objects[id].material;
+            if (scene_.materials[material].patterns.any() &&
+                (scene_.drawn[id].is_compound || !Textures(scene_).shows_patterns(material)))
+                say("material '{}': its patterns are left out, their means are taken",
+                    scene_.materials[material].name);
+        }
+        for (const SceneLight& light : scene_.lights)
+            if (light.area.samples > 1) say("light '{}': its area is asked at points of a grid", light.name);
+        if (scene_.camera.samples > 1)
+            say("samples are left out: POV-Ray's own antialiasing is an option of its command line, +A");
     }
 
     void find_in_media() {

@@ -83,11 +83,25 @@ private:
             const Vec3d place =
                 light.directional ? sun_distance * light.position : frame_.point(light.position);
             text += '\n' + comment(light.name);
-            text += fmt::format("light_source {{ {}, {}{}{} }}\n", vector(place), colour(light.colour),
-                                light.directional ? " parallel point_at 0" : "",
+            text += fmt::format("light_source {{ {}, {}{}{}{} }}\n", vector(place), colour(light.colour),
+                                light.directional ? " parallel point_at 0" : "", area(light.area),
                                 light.shadows || !casts_shadows() ? "" : " shadowless");
         }
         return text;
+    }
+
+    // A grid of points. A sphere shows each point the disk that faces it.
+    [[nodiscard]] std::string area(const LightArea& area) const {
+        if (area.samples < 2) return "";
+        const bool round = area.shape != LightArea::Shape::rectangle;
+        const double half = area.shape == LightArea::Shape::rectangle ? 1 : area.radius;
+        const Vec3d u = area.shape == LightArea::Shape::sphere ? Vec3d{1, 0, 0} : area.u;
+        const Vec3d v = area.shape == LightArea::Shape::sphere ? Vec3d{0, 1, 0} : area.v;
+        const int rows = int(std::ceil(std::sqrt(area.samples)));
+        return fmt::format(" area_light {}, {}, {}, {} area_illumination on{}{}",
+                           vector(2 * half * frame_.scale * u), vector(2 * half * frame_.scale * v), rows,
+                           rows, round ? " circular" : "",
+                           area.shape == LightArea::Shape::sphere ? " orient" : "");
     }
 
     std::string object(std::size_t id) {
@@ -100,8 +114,19 @@ private:
         const std::string start = name.empty() ? "" : '\n' + comment(name);
         if (drawn.is_compound) return start + compound(scene_, drawn.index, frame_, textures_, modifiers);
         const SceneGeneric& generic = scene_.generics[drawn.index];
-        modifiers = textures_.use(object.material, object.material, object.has_volume) + modifiers;
+        modifiers = (textures_.shows_patterns(object.material)
+                         ? textures_.use_patterns(object.material, frame_.matrix(generic.matrix))
+                         : textures_.use(object.material, object.material, object.has_volume)) +
+                    modifiers;
         return start + shape(generic.shape, frame_.matrix(generic.matrix), modifiers);
+    }
+
+    // Beyond 1000 its power stands for exp(−(1 − fade_color) · way / fade_distance).
+    [[nodiscard]] std::string fading(const Colour& absorption) const {
+        const double most = largest_component(absorption);
+        if (!(most > 0)) return "";
+        return fmt::format(" fade_power 1001 fade_distance {} fade_color {}", number(frame_.scale / most),
+                           colour(Colour{1} - absorption / most));
     }
 
     // Only ratios of speeds bend rays: POV-Ray's space has index 1, whatever fills ours.
@@ -114,7 +139,7 @@ private:
         // and differ between most neighbours: by the last digits of a float, which is what POV-Ray keeps.
         constexpr std::size_t kinds = 31;
         if (index == 1) index += double(id % kinds + 1) / (1 << 23);
-        return fmt::format(" interior {{ ior {} }}", number(index));
+        return fmt::format(" interior {{ ior {}{} }}", number(index), fading(material.absorption));
     }
 
     const Scene& scene_;

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace rayscope::povray {
 namespace {
 
@@ -35,6 +38,7 @@ std::string highlight(const SceneMaterial& wall) {
 }
 
 std::string mirror(const SceneMaterial& object) {
+    if (object.mirror != Mirror::constant) return " reflection { 0, 1 fresnel on } conserve_energy";
     if (!(largest_component(object.reflection) > 0)) return "";
     return fmt::format(" reflection {{ {} }}", colour(object.reflection));
 }
@@ -44,6 +48,12 @@ std::string opaque(const SceneMaterial& object, const SceneMaterial& wall) {
     return fmt::format("texture {{\n  pigment {{ {} }}\n  finish {{ ambient {} diffuse {}{}{} }}\n}}\n",
                        colour(paint.pigment), colour(paint.ambient), number(paint.diffuse), highlight(wall),
                        mirror(object));
+}
+
+// What stands within "texture { … }".
+std::string within(const std::string& texture) {
+    const std::size_t begin = texture.find('{') + 1, end = texture.rfind('}');
+    return texture.substr(begin, end - begin);
 }
 
 // Lets the colour through, and nothing else.
@@ -68,11 +78,61 @@ std::string transparent(const SceneMaterial& object, const SceneMaterial& wall) 
                        number(2 * paint.diffuse), shine);
 }
 
+/// All patterns of a material, even and odd colours in turn; the first one tells of the cells.
+std::vector<const Pattern*> patterns_of(const SceneMaterial& material) {
+    const Patterns& p = material.patterns;
+    std::vector<const Pattern*> list;
+    for (const auto* pattern : {&p.ambient, &p.diffuse, &p.specular, &p.reflection, &p.transmission})
+        if (*pattern) list.push_back(&**pattern);
+    return list;
+}
+
+SceneMaterial half_of(SceneMaterial material, bool even) {
+    const auto put = [&](Colour& colour, const std::optional<Pattern>& pattern) {
+        if (pattern) colour = even ? pattern->even : pattern->odd;
+    };
+    put(material.ambient, material.patterns.ambient);
+    put(material.diffuse, material.patterns.diffuse);
+    put(material.specular, material.patterns.specular);
+    put(material.reflection, material.patterns.reflection);
+    return material;
+}
+
 } // namespace
 
+bool Textures::shows_patterns(std::size_t material) const {
+    const SceneMaterial& m = scene_.materials[material];
+    const auto patterns = patterns_of(m);
+    if (patterns.empty() || m.transmits()) return false;
+    const Pattern& first = *patterns.front();
+    return std::ranges::all_of(patterns, [&](const Pattern* p) {
+        return p->kind == first.kind && p->size == first.size && p->axis == first.axis;
+    });
+}
+
+std::string Textures::use_patterns(std::size_t material, const Mat4d& place) const {
+    const SceneMaterial& m = scene_.materials[material];
+    const Pattern& cells = *patterns_of(m).front();
+    const SceneMaterial even = half_of(m, true), odd = half_of(m, false);
+    // A face at 0 belongs to the cells below it.
+    constexpr double aside = 1.0 / 4096;
+    const std::string size = number(cells.size);
+    std::string text;
+    if (cells.kind == Pattern::Kind::checker)
+        text = fmt::format("checker\n{}{} translate {} scale {}", opaque(even, even), opaque(odd, odd),
+                           number(aside), size);
+    else
+        text = fmt::format("gradient {} texture_map {{ [0.5 {}] [0.5 {}] }} translate {} scale {}",
+                           std::string(1, "xyz"[cells.axis]), within(opaque(even, even)),
+                           within(opaque(odd, odd)), number(aside), number(2 * cells.size));
+    return fmt::format("texture {{ {}{} }}", text, place == Mat4d{1} ? "" : " " + matrix(place));
+}
+
 std::string Textures::use(std::size_t object, std::size_t wall, bool has_volume) {
-    const SceneMaterial &o = scene_.materials[object], &w = scene_.materials[wall];
-    const bool transmits = largest_component(o.transmission) > 0;
+    SceneMaterial o = scene_.materials[object];
+    const SceneMaterial& w = scene_.materials[wall];
+    const bool transmits = o.transmits();
+    if (o.mirror != Mirror::constant) o.transmission = Colour{1}; // less what is mirrored
     const auto [at, is_new] = numbers_.try_emplace({object, wall}, numbers_.size() + 1);
     const std::size_t n = at->second;
     if (is_new) {

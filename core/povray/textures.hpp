@@ -19,6 +19,13 @@ public:
     /// @param wall index of the material whose ambient, diffuse and specular light count
     [[nodiscard]] std::string use(std::size_t object, std::size_t wall, bool has_volume);
 
+    /// Whether a material's patterns can be shown: of an opaque one, all with the same cells.
+    [[nodiscard]] bool shows_patterns(std::size_t material) const;
+
+    /// The texture of a solid with such a material, in its own space.
+    /// @param place object → POV-Ray's space
+    [[nodiscard]] std::string use_patterns(std::size_t material, const Mat4d& place) const;
+
     /// All declarations so far, each ended by a newline.
     [[nodiscard]] const std::string& declarations() const { return declarations_; }
 

@@ -32,6 +32,7 @@ struct Placed {
     const Generic<double>& shape;
     const Mat4d& matrix;
     std::uint32_t object, material;
+    bool patterned;     // in its own space
     Box<double> bounds; // in world space
 };
 
@@ -45,7 +46,7 @@ double reach_of(const Placed& placed) {
     return reach;
 }
 
-// A sphere that no matrix distorts needs none: it is put at its place in world space.
+// A sphere that no matrix distorts needs none, but for a pattern: it is put at its place in world space.
 template <Numbers N> Solid<N> solid_of(const Placed& placed) {
     using T = ScalarOf<N>;
     Solid<N> solid;
@@ -53,7 +54,7 @@ template <Numbers N> Solid<N> solid_of(const Placed& placed) {
     solid.material = placed.material;
     solid.reach = T(reach_of(placed));
     const auto* sphere = std::get_if<Sphere<double>>(&placed.shape);
-    const T scale = sphere != nullptr ? similarity_scale<T>(placed.matrix) : T(0);
+    const T scale = sphere != nullptr && !placed.patterned ? similarity_scale<T>(placed.matrix) : T(0);
     if (scale > T(0)) {
         solid.transform = Transform<N>::moving(Vec3d{placed.matrix[3]});
         solid.shape = Sphere<N>{scale * T(sphere->radius)};
@@ -82,11 +83,11 @@ public:
 
 private:
     void copy_settings() {
-        for (const SceneMaterial& m : scene_.materials)
-            world_.materials.push_back(
-                {m.ambient, m.diffuse, m.specular, m.shininess, m.reflection, m.transmission, m.speed});
-        for (const SceneLight& l : scene_.lights)
-            world_.lights.push_back({l.directional, l.position, l.colour, l.shadows});
+        for (const SceneMaterial& m : scene_.materials) world_.materials.push_back(material_of(m));
+        for (const SceneLight& l : scene_.lights) {
+            world_.lights.push_back({l.directional, l.position, l.colour, l.shadows, l.area});
+            if (l.area.samples > 1) world_.effects = EffectMask::all;
+        }
         world_.background = scene_.background;
         world_.ambient = scene_.ambient;
         world_.notes_media = scene_.notes_media;
@@ -94,6 +95,30 @@ private:
         world_.max_depth = scene_.limits.max_depth;
         world_.min_weight = scene_.limits.min_weight;
         world_.max_rays = scene_.limits.max_rays;
+        world_.wavelengths = scene_.limits.wavelengths;
+    }
+
+    Material material_of(const SceneMaterial& m) {
+        Material material{m.ambient,    m.diffuse,      m.specular, m.shininess,
+                          m.reflection, m.transmission, m.speed};
+        material.mirror = m.mirror;
+        if (m.mirror != Mirror::constant) {
+            material.reflection = Colour{0};
+            material.transmission = Colour{1}; // what is not reflected
+        }
+        material.absorption = m.absorption;
+        material.dispersion = m.dispersion;
+        if (m.patterns.any()) {
+            material.patterns = Id(world_.patterns.size());
+            world_.patterns.push_back(m.patterns);
+            // Whether it is a medium is asked of the material as a whole.
+            if (const auto& p = m.patterns.transmission) material.transmission = maximum_of(p->even, p->odd);
+        }
+        world_.absorbs = world_.absorbs || (material.transmits() && material.absorbs());
+        if (material.mirror != Mirror::constant || material.patterns != none ||
+            (material.transmits() && (material.absorbs() || material.dispersion.spreads())))
+            world_.effects = EffectMask::all;
+        return material;
     }
 
     std::uint32_t required_material(const std::optional<std::size_t>& material, const std::string& what,
@@ -106,7 +131,9 @@ private:
     Box<double> add_solid(const SceneGeneric& generic, const Mat4d& matrix, std::uint32_t material) {
         const Box<double> bounds =
             transformed(std::visit([](const auto& shape) { return shape.bounds(); }, generic.shape), matrix);
-        place_({generic.shape, matrix, std::uint32_t(world_.objects.size()), material, bounds});
+        const bool patterned =
+            scene_.materials[material].patterns.any() || scene_.materials[of_object_].patterns.any();
+        place_({generic.shape, matrix, std::uint32_t(world_.objects.size()), material, patterned, bounds});
         ++solids_;
         return bounds;
     }
@@ -115,6 +142,7 @@ private:
         const SceneGeneric& generic = scene_.generics[index];
         const auto material =
             required_material(generic.material, "generic '" + generic.name + "'", generic.place);
+        of_object_ = material;
         const std::uint32_t solid = solids_;
         const Box<double> bounds = add_solid(generic, generic.matrix, material);
         world_.objects.push_back({false, solid, material, generic.priority, is_solid(generic.shape), bounds});
@@ -124,6 +152,7 @@ private:
         const SceneCompound& compound = scene_.compounds[index];
         const auto material =
             required_material(compound.material, "compound '" + compound.name + "'", compound.place);
+        of_object_ = material;
         Compound result;
         std::vector<Box<double>> boxes;
         const std::vector<ExpandedNode> tree = expand(scene_, index, max_nodes - nodes_);
@@ -174,8 +203,9 @@ private:
     const Scene& scene_;
     std::function<void(const Placed&)> place_;
     WorldBase world_;
-    std::uint32_t solids_ = 0; // so far
-    std::size_t nodes_ = 0;    // of all compounds so far
+    std::uint32_t solids_ = 0;    // so far
+    std::uint32_t of_object_ = 0; // material of the object that is being added
+    std::size_t nodes_ = 0;       // of all compounds so far
 };
 
 } // namespace

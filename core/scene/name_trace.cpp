@@ -47,6 +47,7 @@ public:
         e.exit.leaf = solid(e.exit.leaf);
     }
     void operator()(ClusterMerged& e) { e.object = object(e.object); }
+    void operator()(Absorbed& e) { e.medium = medium(e.medium); }
     void operator()(BlockerPassed& e) { e.object = object(e.object); }
     void operator()(BoundaryChosen& e) {
         e.object = object(e.object);

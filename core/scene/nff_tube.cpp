@@ -6,18 +6,6 @@
 #include <utility>
 
 namespace rayscope {
-namespace {
-
-// Some unit vector at right angles to the unit vector w: cross with the axis that lies farthest from it.
-Vec3d across(const Vec3d& w) {
-    const Vec3d a = absolute(w);
-    const Vec3d axis = a.x <= a.y && a.x <= a.z ? Vec3d{1, 0, 0}
-                       : a.y <= a.z             ? Vec3d{0, 1, 0}
-                                                : Vec3d{0, 0, 1};
-    return normalized(cross(axis, w));
-}
-
-} // namespace
 
 std::optional<PlacedTube> place_tube(TubeEnd base, TubeEnd apex) {
     base.radius = magnitude(base.radius);

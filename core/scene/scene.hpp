@@ -5,6 +5,9 @@
 #include "core/scene/input_error.hpp"
 #include "core/trace/operation.hpp"
 #include "core/world/camera.hpp"
+#include "core/world/effect_set.hpp"
+#include "core/world/light_area.hpp"
+#include "core/world/world.hpp"
 
 #include <optional>
 #include <string>
@@ -18,6 +21,7 @@ struct SceneLight {
     Vec3d position{0}; ///< of a point light; for a directional one the unit direction *towards* the light
     Colour colour{1};
     bool shadows = true; ///< objects cast them
+    LightArea area;      ///< of a light that is no point
     Place place;
 };
 
@@ -27,6 +31,13 @@ struct SceneMaterial {
     double shininess = 32;
     Colour reflection{0}, transmission{0};
     double speed = 1; ///< of light inside, air 1; the index of refraction is its inverse
+    Mirror mirror = Mirror::constant;
+    Colour absorption{0};  ///< of light inside, for each unit of length
+    Dispersion dispersion; ///< how the index depends on the wavelength
+    Patterns patterns;     ///< in place of coefficients
+
+    /// Whether light goes through.
+    [[nodiscard]] bool transmits() const;
     Place place;
 };
 
@@ -70,6 +81,7 @@ struct SceneObject {
 struct Limits {
     int max_depth = 8;
     double min_weight = 0.001;
+    int wavelengths = 8;   ///< behind a boundary that spreads colours
     int max_rays = 100000; ///< per sample; a guard for scenes whose recursion neither limit would end in time
 };
 
@@ -82,6 +94,8 @@ struct Scene {
     bool notes_media = false; ///< the notes' rule: always air outside
     double medium_speed = 1;  ///< of what fills the space between the solids
     Limits limits;
+    std::optional<EffectSet>
+        effects; ///< those that the author wants, and no other; none: those that the scene calls for
     std::optional<std::pair<int, int>> step_pixel;
     std::vector<SceneLight> lights;
     std::vector<SceneMaterial> materials;

@@ -1,3 +1,4 @@
+#include "core/scene/toml_optics.hpp"
 #include "core/scene/toml_sections.hpp"
 #include "core/scene/wording.hpp"
 
@@ -11,24 +12,33 @@ constexpr Bounds possible_speed{1 / 1e6, 1e6};
 
 SceneMaterial read_material(const TomlEntry& entry) {
     const TomlTable table = entry.value.table();
-    table.allow_only("a material", {"ambient", "diffuse", "specular", "shininess", "reflection",
-                                    "transmission", "speed", "index"});
+    std::vector<std::string_view> keys{"ambient",    "diffuse",      "specular", "shininess",
+                                       "reflection", "transmission", "speed",    "index"};
+    keys.insert(keys.end(), optic_keys.begin(), optic_keys.end());
+    table.allow_only("a material", keys);
     SceneMaterial material;
     material.name = entry.key;
     material.place = entry.place;
-    const auto read = [&](std::string_view key, Colour& colour, const Bounds& bounds) {
-        if (const auto value = table.find(key)) colour = value->colour(bounds);
+    Patterns& patterns = material.patterns;
+    const auto read = [&](std::string_view key, const Bounds& bounds, Colour& colour,
+                          std::optional<Pattern>& pattern) {
+        if (const auto value = table.find(key)) read_coefficient(*value, bounds, colour, pattern);
     };
-    read("ambient", material.ambient, not_negative);
-    read("diffuse", material.diffuse, not_negative);
-    read("specular", material.specular, not_negative);
-    read("reflection", material.reflection, share);
-    read("transmission", material.transmission, share);
+    read("ambient", not_negative, material.ambient, patterns.ambient);
+    read("diffuse", not_negative, material.diffuse, patterns.diffuse);
+    read("specular", not_negative, material.specular, patterns.specular);
+    read("reflection", share, material.reflection, patterns.reflection);
+    read("transmission", share, material.transmission, patterns.transmission);
     if (const auto shininess = table.find("shininess")) material.shininess = shininess->number(not_negative);
     material.speed = read_speed(table).value_or(material.speed);
+    read_optics(table, material);
 
     // 0.7 + 0.3 is no more than 1 for its author, whatever the last bit says.
-    const double sum = largest_component(material.reflection + material.transmission);
+    const auto largest = [](const Colour& colour, const std::optional<Pattern>& pattern) {
+        return pattern ? maximum_of(pattern->even, pattern->odd) : colour;
+    };
+    const double sum = largest_component(largest(material.reflection, patterns.reflection) +
+                                         largest(material.transmission, patterns.transmission));
     if (sum > 1 + 4 * epsilon<double>)
         table.find("transmission")
             ->fail(

@@ -18,11 +18,47 @@ bool is_name(std::string_view text) {
            std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || digit(c); });
 }
 
+// What other programs' scenes ask for, and no key of this one's.
+std::string_view not_simulated(std::string_view key) {
+    struct Word {
+        std::string_view key, effect;
+    };
+    static constexpr Word words[] = {{"aperture", "depth of field"},
+                                     {"focus", "depth of field"},
+                                     {"focal_distance", "depth of field"},
+                                     {"focal_length", "depth of field"},
+                                     {"blur", "depth of field"},
+                                     {"lens_radius", "depth of field"},
+                                     {"motion", "motion"},
+                                     {"motion_blur", "motion"},
+                                     {"velocity", "motion"},
+                                     {"shutter", "motion"},
+                                     {"animation", "motion"},
+                                     {"keyframes", "motion"},
+                                     {"bump", "bump maps"},
+                                     {"bump_map", "bump maps"},
+                                     {"normal_map", "bump maps"},
+                                     {"displacement", "bump maps"},
+                                     {"texture", "image textures"},
+                                     {"image", "image textures"},
+                                     {"map", "image textures"},
+                                     {"conductor", "conductors"},
+                                     {"metal", "conductors"},
+                                     {"metallic", "conductors"},
+                                     {"extinction", "conductors"}};
+    const auto found = std::ranges::find(words, key, &Word::key);
+    return found == std::end(words) ? std::string_view() : found->effect;
+}
+
 } // namespace
 
 void TomlTable::allow_only(std::string_view what, const std::vector<std::string_view>& keys) const {
     for (const TomlEntry& entry : entries()) {
         if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
+        if (const auto effect = not_simulated(entry.key); !effect.empty())
+            source_->fail(entry.place,
+                          fmt::format("{}: {} is beyond what rayscope simulates; take the key away",
+                                      in_quotes(entry.key), effect));
         const std::string hint = did_you_mean(entry.key, keys);
         source_->fail(entry.place, fmt::format("{} has no key {}{}", what, in_quotes(entry.key),
                                                hint.empty() ? "; expected " + one_of(keys) : hint));

@@ -142,9 +142,10 @@ private:
         }
         const auto list = crossings(world_, object, ray_, start, work_);
         if (const auto first = first_crossing(world_, ray_, list, range_, start)) {
-            work_.blockers.push_back({first->t, object});
+            work_.blockers.push_back({first->t, object, first->surface});
             for (const Crossing<T>& c : list)
-                if (c.t > first->t && range_.contains(c.t)) work_.blockers.push_back({c.t, object});
+                if (c.t > first->t && range_.contains(c.t))
+                    work_.blockers.push_back({c.t, object, c.surface});
         }
     }
 

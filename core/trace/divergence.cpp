@@ -19,12 +19,25 @@ template <typename E> std::vector<const E*> all(const TracedRay& ray) {
 
 template <typename E> bool has(const TracedRay& ray) { return ray.find<E>() != nullptr; }
 
-int child_of(const Trace& trace, const TracedRay& ray, RayKind kind, Id light = none) {
-    for (const int child : ray.children) {
+/// The children of a kind: several refracted ones where each carries a wavelength.
+std::vector<int> children_of(const Trace& trace, const TracedRay& ray, RayKind kind) {
+    std::vector<int> list;
+    for (const int child : ray.children)
+        if (trace.rays[std::size_t(child)].start().kind == kind) list.push_back(child);
+    return list;
+}
+
+/// The shadow ray that asked for this light, or this point of its area: of several the one with its direction.
+/// @param likely the one that did in another trace; it is taken where it asks for this light and none has the direction
+int shadow_ray_of(const Trace& trace, const TracedRay& ray, const LightLit& lit, int likely = none) {
+    int found = none;
+    for (const int child : children_of(trace, ray, RayKind::shadow)) {
         const RaySpawned& start = trace.rays[std::size_t(child)].start();
-        if (start.kind == kind && start.light == light) return child;
+        if (start.light != lit.light) continue;
+        if (start.direction == lit.to_light) return child;
+        if (child == likely || lit.samples == 1) found = child;
     }
-    return none;
+    return found;
 }
 
 /// Why none of this kind follows; nothing if one does, or should.
@@ -185,8 +198,7 @@ private:
         const auto in_a = all<LightLit>(a), in_b = all<LightLit>(b);
         for (std::size_t i = 0; i < std::min(in_a.size(), in_b.size()); ++i) {
             const LightLit &p = *in_a[i], &q = *in_b[i];
-            const int ray_a = child_of(a_, a, RayKind::shadow, p.light);
-            const int ray_b = child_of(b_, b, RayKind::shadow, p.light);
+            const int ray_a = shadow_ray_of(a_, a, p), ray_b = shadow_ray_of(b_, b, q, ray_a);
             Difference asked{Answer::shadow_ray, index};
             asked.light = p.light;
             if ((ray_a == none) != (ray_b == none)) return differs(std::move(asked));
@@ -212,18 +224,17 @@ private:
             d.next = kind;
             return differs(std::move(d));
         }
-        const int next_a = child_of(a_, a, kind), next_b = child_of(b_, b, kind);
-        if (next_a == none && next_b == none) return true;
-        if (next_a == none || next_b == none) return result_.complete = false;
-        double explained = 0;
-        if (const auto* bent = a.find<Refracted>(); kind == RayKind::refracted)
-            explained = explained_bent(*bent, drift, epsilon_);
-        else
-            explained = explained_mirrored(drift, epsilon_);
-        const Vec3d to_a = a_.rays[std::size_t(next_a)].start().direction;
-        const Vec3d to_b = b_.rays[std::size_t(next_b)].start().direction;
-        if (!numbers(Answer::direction, to_a, to_b, explained, kind) || !ray(next_a)) return false;
-        index_ = index;
+        const auto next_a = children_of(a_, a, kind), next_b = children_of(b_, b, kind);
+        if (next_a.size() != next_b.size()) return result_.complete = false;
+        const auto bent = all<Refracted>(a);
+        for (std::size_t i = 0; i < next_a.size(); ++i) {
+            const double explained = kind == RayKind::refracted ? explained_bent(*bent[i], drift, epsilon_)
+                                                                : explained_mirrored(drift, epsilon_);
+            const Vec3d to_a = a_.rays[std::size_t(next_a[i])].start().direction;
+            const Vec3d to_b = b_.rays[std::size_t(next_b[i])].start().direction;
+            if (!numbers(Answer::direction, to_a, to_b, explained, kind) || !ray(next_a[i])) return false;
+            index_ = index;
+        }
         return true;
     }
 

@@ -73,6 +73,7 @@ struct RaySpawned {
     Id light = none;       ///< shadow rays: the light that they ask for
     Id left_object = none; ///< secondary rays: the object whose surface they leave …
     double left_bound = 0; ///< … and how far, at most, the start may lie from it (world length)
+    double wavelength = 0; ///< nm, behind a boundary that spreads colours; 0: the ray carries all of them
 };
 
 /// A stage begins to look for what the ray hits. Recorded only where a stage was asked for.
@@ -166,15 +167,23 @@ struct AmbientLit {
     Colour scene{0}, material{0}; ///< the term is their product
 };
 
-/// The diffuse and the specular term of one light.
+/// What a medium leaves of the light on the way that a ray made in it, up to its end or the next boundary.
+struct Absorbed {
+    Id medium = none;
+    double length = 0;
+    Colour passed{1}; ///< exp(−absorption · length)
+};
+
+/// The diffuse and the specular term of one light, or of one of the points that stand for a light with an area.
 struct LightLit {
     Id light = none;
     Vec3d to_light{0};        ///< unit
     double cosine = 0;        ///< n·l; the light is behind the surface if it is not positive
     double mirror_cosine = 0; ///< r·v
     double shininess = 0;
-    Colour intensity{0};  ///< of the light
-    Colour visibility{1}; ///< what blockers leave of it
+    int sample = 0, samples = 1; ///< which point of the light's area, and of how many
+    Colour intensity{0};         ///< of the light, or this point's part of it
+    Colour visibility{1};        ///< what blockers leave of it
     Colour diffuse_coefficient{0}, specular_coefficient{0};
     Colour diffuse{0}, specular{0}; ///< the two terms
 };
@@ -190,6 +199,14 @@ struct BlockerPassed {
     Colour transmission{0};
 };
 
+/// How much a boundary with Fresnel's coefficients reflects; what it does not, goes through.
+struct FresnelShared {
+    double perpendicular = 0, parallel = 0; ///< Fresnel's Rs and Rp
+    double schlick = 0;                     ///< Schlick's approximation of their mean
+    double reflected = 0;                   ///< the one that counts here
+    double wavelength = 0;                  ///< nm; 0: all
+};
+
 /// The mirrored direction and its share. The child ray follows as the next child of this ray, unless refused.
 struct Reflected {
     Colour coefficient{0};
@@ -203,6 +220,7 @@ struct Refracted {
     double critical = not_a_number;      ///< radians; NaN if this pair of media has none
     double eta = 1;                      ///< speed_to / speed_from
     Vec3d direction{0};
+    double wavelength = 0; ///< nm; 0: all
 };
 
 /// No refracted ray exists; one mirrored ray carries reflection + transmission.
@@ -210,6 +228,7 @@ struct TotallyReflected {
     Colour coefficient{0};
     double theta_from = 0, critical = 0;
     double eta = 1;
+    double wavelength = 0; ///< nm; 0: all
 };
 
 /// A ray that was considered and not followed.
@@ -235,7 +254,7 @@ struct Truncated {
 
 using Event = std::variant<RaySpawned, SearchBegan, PlaceEntered, PlaceLeft, SearchEnded, ObjectAccepted,
                            NodeEvaluated, SpanFound, ClusterMerged, BoundaryChosen, TriangleHit, Missed,
-                           AmbientLit, LightLit, LocalLightSkipped, BlockerPassed, Reflected, Refracted,
-                           TotallyReflected, NotSpawned, RayFinished, Truncated>;
+                           Absorbed, AmbientLit, LightLit, LocalLightSkipped, BlockerPassed, FresnelShared,
+                           Reflected, Refracted, TotallyReflected, NotSpawned, RayFinished, Truncated>;
 
 } // namespace rayscope

@@ -2,7 +2,7 @@
 // The members of everything in a Trace, listed once: writing and reading a trace both follow these lists.
 // To add a member or an event: add it here, and to chapters/reference/trace-format.md.
 
-#include "core/trace/trace.hpp"
+#include "core/trace/trace_words.hpp"
 
 #include <string_view>
 #include <tuple>
@@ -49,6 +49,7 @@ template <> struct Fields<RaySpawned> {
         Field{"light", &RaySpawned::light, Target::light_or_none},
         Field{"left_object", &RaySpawned::left_object, Target::object_or_none},
         Field{"left_bound", &RaySpawned::left_bound},
+        Field{"wavelength", &RaySpawned::wavelength},
     };
 };
 
@@ -140,6 +141,13 @@ template <> struct Fields<Missed> {
     static constexpr auto list = std::tuple{Field{"background", &Missed::background}};
 };
 
+template <> struct Fields<Absorbed> {
+    static constexpr auto name = "absorbed";
+    static constexpr auto list =
+        std::tuple{Field{"medium", &Absorbed::medium, Target::medium_or_none},
+                   Field{"length", &Absorbed::length}, Field{"passed", &Absorbed::passed}};
+};
+
 template <> struct Fields<AmbientLit> {
     static constexpr auto name = "ambient_lit";
     static constexpr auto list =
@@ -154,6 +162,8 @@ template <> struct Fields<LightLit> {
         Field{"cosine", &LightLit::cosine},
         Field{"mirror_cosine", &LightLit::mirror_cosine},
         Field{"shininess", &LightLit::shininess},
+        Field{"sample", &LightLit::sample},
+        Field{"samples", &LightLit::samples},
         Field{"intensity", &LightLit::intensity},
         Field{"visibility", &LightLit::visibility},
         Field{"diffuse_coefficient", &LightLit::diffuse_coefficient},
@@ -175,6 +185,14 @@ template <> struct Fields<BlockerPassed> {
                    Field{"transmission", &BlockerPassed::transmission}};
 };
 
+template <> struct Fields<FresnelShared> {
+    static constexpr auto name = "fresnel_shared";
+    static constexpr auto list = std::tuple{
+        Field{"perpendicular", &FresnelShared::perpendicular}, Field{"parallel", &FresnelShared::parallel},
+        Field{"schlick", &FresnelShared::schlick}, Field{"reflected", &FresnelShared::reflected},
+        Field{"wavelength", &FresnelShared::wavelength}};
+};
+
 template <> struct Fields<Reflected> {
     static constexpr auto name = "reflected";
     static constexpr auto list =
@@ -189,15 +207,16 @@ template <> struct Fields<Refracted> {
                                             Field{"theta_to", &Refracted::theta_to},
                                             Field{"critical", &Refracted::critical},
                                             Field{"eta", &Refracted::eta},
-                                            Field{"direction", &Refracted::direction}};
+                                            Field{"direction", &Refracted::direction},
+                                            Field{"wavelength", &Refracted::wavelength}};
 };
 
 template <> struct Fields<TotallyReflected> {
     static constexpr auto name = "totally_reflected";
-    static constexpr auto list =
-        std::tuple{Field{"coefficient", &TotallyReflected::coefficient},
-                   Field{"theta_from", &TotallyReflected::theta_from},
-                   Field{"critical", &TotallyReflected::critical}, Field{"eta", &TotallyReflected::eta}};
+    static constexpr auto list = std::tuple{
+        Field{"coefficient", &TotallyReflected::coefficient},
+        Field{"theta_from", &TotallyReflected::theta_from}, Field{"critical", &TotallyReflected::critical},
+        Field{"eta", &TotallyReflected::eta}, Field{"wavelength", &TotallyReflected::wavelength}};
 };
 
 template <> struct Fields<NotSpawned> {
@@ -269,28 +288,6 @@ template <> struct Fields<Trace> {
                                             Field{"rays", &Trace::rays},
                                             Field{"colour", &Trace::colour},
                                             Field{"events_dropped", &Trace::events_dropped}};
-};
-
-/// The words that stand for an enumeration's values, in their order.
-template <typename E> struct Words;
-template <> struct Words<RayKind> {
-    static constexpr std::string_view list[] = {"eye", "reflected", "refracted", "shadow"};
-};
-template <> struct Words<Reason> {
-    static constexpr std::string_view list[] = {"coefficient_zero",          "depth",     "weight",
-                                                "total_internal_reflection", "ray_limit", "leaves_solid"};
-};
-template <> struct Words<StageKind> {
-    static constexpr std::string_view list[] = {"scan", "extents", "projective", "light", "octree", "bvh"};
-};
-template <> struct Words<PlaceKind> {
-    static constexpr std::string_view list[] = {"extent", "tile", "light_cell", "entry", "cell", "node"};
-};
-template <> struct Words<SearchEnd> {
-    static constexpr std::string_view list[] = {"nothing_left", "beyond_reach", "blocked", "covered"};
-};
-template <> struct Words<Operation> {
-    static constexpr std::string_view list[] = {"leaf", "union", "intersection", "difference", "complement"};
 };
 
 } // namespace rayscope

@@ -11,10 +11,13 @@ namespace rayscope {
 struct Budget {
     int depth = 0;
     Colour weight{1}; ///< share of the pixel, per colour: the product of the coefficients on the way
-    Id medium = none; ///< that it travels in, for the record alone: shading reads the media at each boundary
+    Id medium =
+        none; ///< that it travels in: for absorption and the record; shading reads the media at each boundary
+    float wavelength = 0;   ///< nm; 0: all of them
+    std::uint32_t path = 0; ///< what is random about this ray is hashed from it
 
     [[nodiscard]] Budget after(const Colour& coefficient, Id next_medium = none) const {
-        return {depth + 1, weight * coefficient, next_medium};
+        return {depth + 1, weight * coefficient, next_medium, wavelength, path};
     }
 };
 

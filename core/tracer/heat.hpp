@@ -15,18 +15,22 @@ enum class Heat : std::uint8_t {
     depth, ///< of the deepest ray
     time,  ///< of the processor
     rays,
+    samples,
+    dropped, ///< weight of the rays that the limits cut off
 };
 
 /// By Heat.
 struct HeatName {
     std::string_view name, meaning;
 };
-inline constexpr std::array<HeatName, 5> heat_names{
+inline constexpr std::array<HeatName, 7> heat_names{
     {{"tests", "generics tested for each pixel"},
      {"cells", "cells, lists, nodes and boxes visited for each pixel"},
      {"depth", "depth of each pixel's deepest ray"},
      {"time", "processor time of each pixel in microseconds"},
-     {"rays", "rays traced for each pixel, shadow rays included"}}};
+     {"rays", "rays traced for each pixel, shadow rays included"},
+     {"samples", "samples taken of each pixel"},
+     {"dropped", "weight of the rays that the limits cut off each pixel"}}};
 
 /// Measures one pixel, from its making on.
 class HeatMeter {
@@ -35,8 +39,10 @@ public:
         : heat_(heat), counters_(counters), before_(counted()), start_(processor_time()) {}
 
     /// @param deepest the depth of the deepest ray
-    [[nodiscard]] float value(int deepest) const {
+    /// @param dropped weight of the rays that the limits cut off
+    [[nodiscard]] float value(int deepest, double dropped) const {
         if (heat_ == Heat::depth) return float(deepest);
+        if (heat_ == Heat::dropped) return float(dropped);
         if (heat_ == Heat::time) return float(processor_time() - start_);
         return float(counted() - before_);
     }
@@ -57,7 +63,9 @@ private:
         case Heat::cells: return counters_.nodes + counters_.cells + counters_.boxes;
         case Heat::rays: return sum(counters_.rays);
         case Heat::depth:
-        case Heat::time: break; // not counted
+        case Heat::time:
+        case Heat::samples:
+        case Heat::dropped: break; // not counted
         }
         return 0;
     }

@@ -17,6 +17,7 @@ template <Scalar T>
         event.left_object = Id(leaving.items[0].object);
         event.left_bound = double(leaving.items[0].bound);
     }
+    event.wavelength = double(budget.wavelength);
     return event;
 }
 

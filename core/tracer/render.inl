@@ -1,6 +1,7 @@
 #pragma once
 // What each Numbers' own file instantiates (see the folder numbers).
 
+#include "core/tracer/antialiasing.hpp"
 #include "core/tracer/reference_samples.hpp"
 #include "core/tracer/stage_set.hpp"
 #include "core/tracer/tiles.hpp"
@@ -32,48 +33,135 @@ template <Numbers N>
     }
 }
 
+/// Renders by one of the tracer's two forms.
+template <Numbers N, EffectMask mask> class Renderer {
+public:
+    using T = ScalarOf<N>;
+
+    Renderer(const World<N>& world, const Camera& camera, const RenderOptions& options)
+        : world_(world),
+          options_(options),
+          width_(options.width > 0 ? options.width : camera.width),
+          height_(options.height > 0 ? options.height : camera.height),
+          samples_(options.samples > 0 ? options.samples : camera.samples),
+          eye_rays_(camera, width_, height_),
+          stage_(stage_for(world, eye_rays_, width_, height_, options, result_.statistics)) {
+        result_.image = Image(width_, height_);
+        if (options.heat) result_.heat = Map(width_, height_);
+    }
+
+    [[nodiscard]] RenderResult render() {
+        std::vector<FirstSeen> seen(samples_ > 1 ? std::size_t(width_) * std::size_t(height_) : 0);
+        pass([&](auto& tracer, int x, int y) {
+            result_.image.set(x, y, trace(tracer, {x, y, 0}));
+            if constexpr (mask == EffectMask::all)
+                if (samples_ > 1) seen[index(x, y)] = tracer.first_seen();
+        });
+        if (samples_ > 1 && result_.complete) smooth(uneven_pixels(result_.image, seen));
+        if (options_.heat == Heat::samples) result_.heat = samples_ > 1 ? result_.samples : even_map(1);
+        for (const Work<T>& work : works_) result_.statistics.counters += work.counters;
+        result_.statistics.cpu_seconds = stopwatch_.cpu_seconds();
+        result_.statistics.wall_seconds = stopwatch_.wall_seconds();
+        return std::move(result_);
+    }
+
+private:
+    using Stage =
+        decltype(stage_for(std::declval<const World<N>&>(), std::declval<const EyeRays&>(), 0, 0,
+                           std::declval<const RenderOptions&>(), std::declval<RenderStatistics&>()));
+    using PixelTracer = Tracer<N, Stage, NullRecorder, DepthFirst, mask>;
+
+    void smooth(const std::vector<bool>& uneven) {
+        result_.samples = Map(width_, height_);
+        pass([&](auto& tracer, int x, int y) {
+            const Colour first = result_.image.at(x, y);
+            const auto another = [&](int sample) { return trace(tracer, {x, y, sample}); };
+            int taken = 1;
+            if (options_.even_samples)
+                result_.image.set(x, y, mean_of_all_samples(first, taken = samples_, another));
+            else if (uneven[index(x, y)])
+                result_.image.set(x, y, mean_of_samples(first, samples_, another, taken));
+            result_.samples.at(x, y) = float(taken);
+        });
+    }
+
+    /// Calls pixel(tracer, x, y) for each of them.
+    template <typename Pixel> void pass(const Pixel& pixel) {
+        result_.complete = for_each_tile(width_, height_, options_, [&](const Tile& tile) {
+            NullRecorder recorder;
+            Work<T>& work = works_.local();
+            PixelTracer tracer(world_, stage_, work, recorder);
+            for (int y = tile.top; y < tile.bottom; ++y) {
+                for (int x = tile.left; x < tile.right; ++x) {
+                    std::optional<HeatMeter> meter;
+                    if (options_.heat) meter.emplace(*options_.heat, work.counters);
+                    pixel(tracer, x, y);
+                    if (meter)
+                        add_heat(result_.heat.at(x, y), meter->value(tracer.deepest(), tracer.dropped()));
+                }
+            }
+        });
+    }
+    [[nodiscard]] Map even_map(float value) const {
+        Map map(width_, height_);
+        std::ranges::fill(map.values, value);
+        return map;
+    }
+    void add_heat(float& heat, float value) const {
+        heat = options_.heat == Heat::depth ? std::max(heat, value) : heat + value;
+    }
+    [[nodiscard]] Colour trace(PixelTracer& tracer, const SampleAddress& sample) const {
+        return tracer.trace(as<T>(eye_rays_.of(sample)), sample);
+    }
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return std::size_t(y) * std::size_t(width_) + std::size_t(x);
+    }
+
+    const World<N>& world_;
+    const RenderOptions& options_;
+    RenderResult result_;
+    Stopwatch stopwatch_;
+    int width_, height_, samples_;
+    EyeRays eye_rays_;
+    Stage stage_;
+    tbb::enumerable_thread_specific<Work<T>> works_;
+};
+
+template <Numbers N, EffectMask mask>
+RenderResult render_with(const World<N>& world, const Camera& camera, const RenderOptions& options) {
+    return Renderer<N, mask>(world, camera, options).render();
+}
+// In a file of its own.
+extern template RenderResult render_with<double, EffectMask::all>(const World<double>&, const Camera&,
+                                                                  const RenderOptions&);
+
+/// The classic tracer is there for the numbers that images are made in; what only compares them needs one form.
+template <Numbers N> inline constexpr bool has_classic_tracer = std::is_same_v<N, double>;
+
 template <Numbers N>
 RenderResult render(const World<N>& world, const Camera& camera, const RenderOptions& options) {
-    using T = ScalarOf<N>;
-    RenderResult result;
-    Image& image = result.image = Image(options.width > 0 ? options.width : camera.width,
-                                        options.height > 0 ? options.height : camera.height);
-    const Stopwatch stopwatch;
-    const EyeRays eye_rays(camera, image.width, image.height);
-    const auto stage = stage_for(world, eye_rays, image.width, image.height, options, result.statistics);
-    tbb::enumerable_thread_specific<Work<T>> works;
-    if (options.heat) result.heat = Map(image.width, image.height);
-    result.complete = for_each_tile(image.width, image.height, options, [&](const Tile& tile) {
-        NullRecorder recorder;
-        Work<T>& work = works.local();
-        Tracer tracer(world, stage, work, recorder);
-        for (int y = tile.top; y < tile.bottom; ++y) {
-            for (int x = tile.left; x < tile.right; ++x) {
-                std::optional<HeatMeter> meter;
-                if (options.heat) meter.emplace(*options.heat, work.counters);
-                image.set(x, y, tracer.trace(as<T>(eye_rays.through(x + 0.5, y + 0.5)), x, y));
-                if (meter) result.heat.at(x, y) = meter->value(tracer.deepest());
-            }
-        }
-    });
-    for (const Work<T>& work : works) result.statistics.counters += work.counters;
-    result.statistics.cpu_seconds = stopwatch.cpu_seconds();
-    result.statistics.wall_seconds = stopwatch.wall_seconds();
-    return result;
+    if constexpr (has_classic_tracer<N>) {
+        const int samples = options.samples > 0 ? options.samples : camera.samples;
+        if (world.effects == EffectMask::classic && samples == 1 && !options.all_effects)
+            return render_with<N, EffectMask::classic>(world, camera, options);
+    }
+    return render_with<N, EffectMask::all>(world, camera, options);
 }
 
 template <Numbers N, typename Stage>
-[[nodiscard]] Recording recorded_by(const World<N>& world, const Stage& stage, const Ray<double>& ray, int x,
-                                    int y) {
+[[nodiscard]] Recording recorded_by(const World<N>& world, const Stage& stage, const Ray<double>& ray,
+                                    const std::optional<SampleAddress>& sample) {
     Work<ScalarOf<N>> work;
     TraceRecorder recorder;
     Tracer tracer(world, stage, work, recorder);
-    const Colour colour = tracer.trace(as<ScalarOf<N>>(ray), x, y);
+    const auto own = as<ScalarOf<N>>(ray);
+    const Colour colour = sample ? tracer.trace(own, *sample) : tracer.trace(own);
     return {recorder.take(), colour, recorder.dropped()};
 }
 
-template <Numbers N> Recording record(const World<N>& world, const Ray<double>& ray) {
-    return recorded_by(world, Scan<N>(world), ray, none, none);
+template <Numbers N>
+Recording record(const World<N>& world, const Ray<double>& ray, const std::optional<SampleAddress>& sample) {
+    return recorded_by(world, Scan<N>(world), ray, sample);
 }
 
 template <Numbers N, Scalar T = ScalarOf<N>>
@@ -120,7 +208,7 @@ std::vector<ReferenceSample> reference_samples(const World<N>& world, const EyeR
                 const Ray<T> ray = as<T>(eye_rays.through(x + 0.5, top + y + 0.5));
                 Tracer tracer(world, stage, works.local(), recorder, LargestFirst<T>());
                 ReferenceSample& sample = samples[std::size_t(y) * std::size_t(width) + std::size_t(x)];
-                sample.colour = tracer.trace(ray);
+                sample.colour = tracer.trace(ray, SampleAddress{x, top + y, 0});
                 sample.lost = tracer.order().lost();
                 sample.first = first_hit(world, stage, ray, works.local());
             }

@@ -2,9 +2,9 @@
 // The recursion.
 
 #include "core/reflection/mirror.hpp"
-#include "core/refraction/snell.hpp"
 #include "core/shading/phong.hpp"
 #include "core/stage/ray_use.hpp"
+#include "core/tracer/added_effects.hpp"
 #include "core/tracer/budget.hpp"
 #include "core/tracer/interaction.hpp"
 #include "core/tracer/order.hpp"
@@ -12,10 +12,19 @@
 
 namespace rayscope {
 
+/// What an eye ray met first: what antialiasing compares with that of the neighbours.
+struct FirstSeen {
+    Id object = none;
+    Vec3d normal{0}; ///< unit, against the ray
+};
+
 /// Follows rays through a world. One tracer serves one thread.
-template <Numbers N, typename Stage, typename Recorder, typename Order = DepthFirst> class Tracer {
+template <Numbers N, typename Stage, typename Recorder, typename Order = DepthFirst,
+          EffectMask mask = EffectMask::all>
+class Tracer {
 public:
     using T = ScalarOf<N>;
+    static constexpr bool all_effects = mask == EffectMask::all;
 
     Tracer(const World<N>& world, const Stage& stage, Work<T>& work, Recorder& recorder, Order order = {})
         : world_(world),
@@ -26,14 +35,25 @@ public:
           limits_{world.max_depth, world.min_weight} {}
 
     /// The light that comes back along an eye ray, linear RGB.
-    /// @param x, y the pixel that it goes through, if any
-    [[nodiscard]] Colour trace(const Ray<T>& ray, int x = none, int y = none);
+    [[nodiscard]] Colour trace(const Ray<T>& ray) { return trace(ray, {RayKind::eye, none, none, none}, 0); }
+    /// @param sample of which pixel the ray is which sample
+    [[nodiscard]] Colour trace(const Ray<T>& ray, const SampleAddress& sample) {
+        return trace(ray, {RayKind::eye, sample.x, sample.y, none}, sample.seed());
+    }
 
     [[nodiscard]] const Order& order() const { return order_; }
     /// Depth of the deepest ray of the last trace.
     [[nodiscard]] int deepest() const { return deepest_; }
+    /// Of the last trace: the weight of all rays that the limits cut off.
+    [[nodiscard]] double dropped() const { return dropped_; }
+    /// Of the last trace; known with all effects alone.
+    [[nodiscard]] const FirstSeen& first_seen() const { return seen_; }
 
 private:
+    // What the classic tracer has none of takes no room in it.
+    struct Nothing {};
+    template <typename X> using Added = std::conditional_t<all_effects, X, Nothing>;
+
     /// A ray that the material asks for.
     struct Continuation {
         RayKind kind;
@@ -41,23 +61,64 @@ private:
         Vec3<T> direction;
         const Leaving<T>& leaving;
         Id medium;
+        double wavelength = 0; ///< nm; 0: its parent's
     };
+    /// A ray's bend at a boundary, for one wavelength (nm) or, 0, for all of them.
+    struct Bend {
+        Refraction<T> bent;
+        T speed_from, speed_to;
+        double wavelength = 0;
 
+        /// Radians; NaN if there is none.
+        [[nodiscard]] double critical_angle() const {
+            return rayscope::critical_angle(double(speed_from), double(speed_to)).value_or(not_a_number);
+        }
+    };
+    /// A point that shines: a light, or a sample of its area.
+    struct LightPoint {
+        Id id;
+        int sample, samples;
+        Colour colour;
+        bool endless; ///< a direction
+    };
+    /// Of the hashes for a path, the one for lights.
+    static constexpr std::uint32_t area_stream = 4;
+
+    [[nodiscard]] Colour trace(const Ray<T>& ray, const RayUse& use, std::uint32_t seed);
     [[nodiscard]] Colour shade(const RayUse& use, const Ray<T>& ray, const Leaving<T>& leaving,
                                const Budget& budget);
+    [[nodiscard]] Colour light_of(const Interaction<N>& at, const Budget& budget, const Colour& passed,
+                                  int tested);
+
     [[nodiscard]] Colour local_light(const Interaction<N>& at, const Budget& budget);
-    [[nodiscard]] Colour light_from(Id light, const Interaction<N>& at, const Budget& budget);
-    [[nodiscard]] Colour visibility(Id light, const Vec3<T>& to_light, T distance, const Interaction<N>& at,
-                                    const Budget& budget);
+    void add_light_from(Colour& colour, Id light, const Interaction<N>& at, const Budget& budget);
+    void add_area_light_from(Colour& colour, Id light, const Interaction<N>& at, const Budget& budget);
+    [[nodiscard]] Colour light_along(const LightPoint& light, const Vec3<T>& offset, const Interaction<N>& at,
+                                     const Budget& budget);
+    [[nodiscard]] Colour visibility(const LightPoint& light, const Vec3<T>& to_light, T distance,
+                                    const Interaction<N>& at, const Budget& budget);
+    [[nodiscard]] Colour passing(const Blocker<T>& blocker, const Ray<T>& ray) const;
+
+    void add_boundary_light(Colour& colour, const Interaction<N>& at, const Budget& budget);
+    [[nodiscard]] Refraction<T> bent_at(const Interaction<N>& at, T speed_from, T speed_to) const;
     [[nodiscard]] Colour mirrored_light(const Interaction<N>& at, const Colour& coefficient,
                                         const Budget& budget);
-    [[nodiscard]] Colour transmitted_light(const Interaction<N>& at, const Refraction<T>& bent,
-                                           const Budget& budget);
+    [[nodiscard]] Colour transmitted_light(const Interaction<N>& at, const Bend& bend,
+                                           const Colour& coefficient, const Budget& budget);
     [[nodiscard]] Colour follow(const Continuation& next, const Interaction<N>& at, const Budget& budget);
     [[nodiscard]] Colour follow_waiting();
-    void note_total_reflection(const Refraction<T>& bent, const Colour& coefficient,
-                               const Interaction<N>& at);
+    void note_total_reflection(const Bend& bend, const Colour& coefficient);
     void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
+
+    // With all effects alone.
+    [[nodiscard]] bool spreads(const MediaPair& media) const;
+    [[nodiscard]] T speed_at(Id medium, double wavelength) const;
+    void set_speeds(Interaction<N>& at, double wavelength) const;
+    [[nodiscard]] EvenMaterials even_materials(const Interaction<N>& at, const Ray<T>& ray) const;
+    [[nodiscard]] double reflected_share(Mirror mirror, const Bend& bend);
+    void add_spread_light(Colour& colour, const Interaction<N>& at, const Budget& budget);
+    [[nodiscard]] Colour absorbed(const Ray<T>& ray, Id medium, T t);
+    [[nodiscard]] Colour absorbed_to_light(const Ray<T>& ray, T distance, const Leaving<T>& leaving);
 
     const World<N>& world_;
     const Stage& stage_;
@@ -65,10 +126,14 @@ private:
     Recorder& recorder_;
     [[no_unique_address]] Order order_;
     RecursionLimits limits_;
-    RayUse eye_;
     int rays_left_ = 0, deepest_ = 0;
+    double dropped_ = 0;
+    [[no_unique_address]] Added<FirstSeen> seen_;
+    [[no_unique_address]] Added<Spectrum> spectrum_;
 };
 
 } // namespace rayscope
 
+#include "core/tracer/added_effects.inl"
+#include "core/tracer/lights.inl"
 #include "core/tracer/shade.inl"

@@ -19,6 +19,12 @@ Ray<double> EyeRays::through(double x, double y) const {
     return {eye_, normalized(forward_ + (x - centre_x_) * right_ + (y - centre_y_) * down_)};
 }
 
+Ray<double> EyeRays::of(const SampleAddress& sample) const {
+    constexpr std::uint32_t middle = 1U << 31U; // ½
+    const SquarePoint place = sobol(std::uint32_t(sample.sample), middle, middle);
+    return through(sample.x + place.x, sample.y + place.y);
+}
+
 Vec3d EyeRays::from_eye(const Vec3d& point) const {
     const Vec3d v = point - eye_;
     return {dot(v, right_) / pixel_, dot(v, down_) / pixel_, dot(v, forward_)};

@@ -2,13 +2,18 @@
 // Where eye rays come from.
 
 #include "core/math/ray.hpp"
+#include "core/math/sequence.hpp"
 
 namespace rayscope {
+
+/// Of a pixel, and of a light's area.
+inline constexpr int most_samples = 4096;
 
 struct Camera {
     Vec3d eye{0, 0, 5}, look_at{0}, up{0, 1, 0};
     double field_of_view = 45; ///< degrees, vertical, from edge to edge
     int width = 512, height = 512;
+    int samples = 1; ///< at most so many in a pixel; the first one is in its middle
 };
 
 /// The eye rays of an image of width × height pixels: unit directions, pixel (0, 0) top left.
@@ -18,6 +23,8 @@ public:
 
     /// Through the point (x, y) in pixels; the middle of pixel (i, j) is (i + ½, j + ½).
     [[nodiscard]] Ray<double> through(double x, double y) const;
+    /// Through the place of a pixel's sample: the first one in its middle.
+    [[nodiscard]] Ray<double> of(const SampleAddress& sample) const;
 
     /// A point in the eye's own lengths: to the right, down, and along the view.
     [[nodiscard]] Vec3d from_eye(const Vec3d& point) const;

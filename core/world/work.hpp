@@ -128,6 +128,7 @@ private:
 template <Scalar T> struct Blocker {
     T t;
     std::uint32_t object;
+    Surface surface;
 };
 
 /// Which objects the present ray was tested against: a stage may list one in several places.

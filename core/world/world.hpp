@@ -3,17 +3,39 @@
 
 #include "core/csg/program.hpp"
 #include "core/math/box.hpp"
+#include "core/refraction/dispersion.hpp"
+#include "core/trace/events.hpp"
+#include "core/world/effect_set.hpp"
+#include "core/world/light_area.hpp"
 #include "core/world/media.hpp"
+#include "core/world/pattern.hpp"
 #include "core/world/solid.hpp"
 
 namespace rayscope {
+
+/// What says how much of the light a boundary reflects.
+enum class Mirror : std::uint8_t {
+    constant, ///< the coefficients reflection and transmission
+    fresnel,  ///< Fresnel's equations: R, and 1 − R goes through
+    schlick,  ///< Schlick's approximation of them
+};
 
 struct Material {
     Colour ambient{0}, diffuse{0}, specular{0};
     double shininess = 1;
     Colour reflection{0}, transmission{0};
-    double speed = 1; ///< of light inside; air 1
+    double speed = 1; ///< of light inside; air 1; of a medium that spreads colours, at the helium d line
+    // What the classic tracer does not read.
+    Mirror mirror = Mirror::constant;
+    Colour absorption{0}; ///< of light inside: it is multiplied by exp(−absorption · length)
+    Dispersion dispersion{};
+    Id patterns = none; ///< index into World::patterns
 
+    [[nodiscard]] bool absorbs() const { return largest_component(absorption) > 0; }
+    /// @param wavelength nm; 0: the speed of all colours together
+    [[nodiscard]] double speed_at(double wavelength) const {
+        return wavelength > 0 && dispersion.spreads() ? 1 / dispersion.index(wavelength) : speed;
+    }
     [[nodiscard]] bool transmits() const { return largest_component(transmission) > 0; }
 };
 
@@ -22,6 +44,7 @@ struct Light {
     Vec3d position{0}; ///< or the unit direction towards a directional light
     Colour colour{1};
     bool shadows = true;
+    LightArea area;
 };
 
 struct Compound {
@@ -44,8 +67,12 @@ struct WorldBase {
     std::vector<Compound> compounds;
     std::vector<Object> objects;
     std::vector<Material> materials;
+    std::vector<Patterns> patterns;
     std::vector<Light> lights;
     MediaNeighbours media;
+
+    EffectMask effects = EffectMask::classic; ///< what its materials and lights ask for
+    bool absorbs = false;                     ///< some medium does
 
     Colour background{0}, ambient{1};
     bool notes_media = false;
@@ -53,6 +80,7 @@ struct WorldBase {
     int max_depth = 8;
     double min_weight = 0.001;
     int max_rays = 100000;
+    int wavelengths = 8; ///< behind a boundary that spreads colours
 
     [[nodiscard]] const Material& material_of(const Object& object) const {
         return materials[object.material];

@@ -34,7 +34,7 @@ const std::map<std::string, Folders, std::less<>> stands_on = {
     {"accuracy", {"tracer", "scene"}},
     {"scene", {"world", "files"}},
     {"cases", {"tracer", "scene"}},
-    {"effects", {"scene"}},
+    {"effects", {"accuracy"}},
     {"povray", {"scene"}},
 };
 

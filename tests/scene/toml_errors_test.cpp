@@ -28,10 +28,11 @@ const Case keys_and_types[] = {
     {"UnknownKey", "[camera]\n  lok_at = [0,0,0]\n",
      "s.toml:2:3: [camera] has no key 'lok_at'; did you mean 'look_at'?"},
     {"UnknownKeyWithoutNearMatch", "[limits]\ndepth_of_recursion = 3\n",
-     "s.toml:2:1: [limits] has no key 'depth_of_recursion'; expected max_depth, min_weight or max_rays"},
+     "s.toml:2:1: [limits] has no key 'depth_of_recursion'; expected max_depth, min_weight, max_rays or "
+     "wavelengths"},
     {"UnknownMaterialKey", "[materials.m]\ncolor = 1\n",
      "s.toml:2:1: a material has no key 'color'; expected ambient, diffuse, specular, shininess, reflection, "
-     "transmission, speed or index"},
+     "transmission, speed, index, fresnel, absorption, abbe, cauchy or sellmeier"},
     {"KeyOfAnotherShape", "[generics.s]\nshape = \"sphere\"\nminor_radius = 0.2\n",
      "s.toml:3:1: a sphere has no key 'minor_radius'; expected shape, material, transform, priority or "
      "visible"},

@@ -34,7 +34,7 @@ inline Event any_event(const Trace& trace) {
     const auto object = [&] { return any_below(trace.objects.size()); };
     const auto reason = [] { return Reason(any_below(6)); };
     const auto medium = [&] { return any_below_or_none(trace.media.size()); };
-    switch (*rc::gen::inRange(0, 19)) {
+    switch (*rc::gen::inRange(0, 22)) {
     case 0: return ObjectAccepted{object(), any_double()};
     case 1: {
         const int id = object();
@@ -54,6 +54,8 @@ inline Event any_event(const Trace& trace) {
                         any_double(),
                         any_double(),
                         any_double(),
+                        any_int(),
+                        any_int(),
                         any_vector(),
                         any_vector(),
                         any_vector(),
@@ -64,8 +66,9 @@ inline Event any_event(const Trace& trace) {
     case 9: return BlockerPassed{object(), any_double(), any_vector()};
     case 10: return Reflected{any_vector(), any_double(), any_vector()};
     case 11:
-        return Refracted{any_vector(), any_double(), any_double(), any_double(), any_double(), any_vector()};
-    case 12: return TotallyReflected{any_vector(), any_double(), any_double(), any_double()};
+        return Refracted{any_vector(), any_double(), any_double(), any_double(),
+                         any_double(), any_vector(), any_double()};
+    case 12: return TotallyReflected{any_vector(), any_double(), any_double(), any_double(), any_double()};
     case 13: return NotSpawned{RayKind(any_below(4)), reason(), any_double(), any_double()};
     case 14: return SearchBegan{StageKind(any_below(6)), any_int()};
     case 15:
@@ -81,6 +84,9 @@ inline Event any_event(const Trace& trace) {
     case 16: return PlaceLeft{any_int(), any_int()};
     case 17:
         return SearchEnded{SearchEnd(any_below(4)), any_double(), any_int(), any_int(), any_int(), any_int()};
+    case 18: return Absorbed{medium(), any_double(), any_vector()};
+    case 19: return FresnelShared{any_double(), any_double(), any_double(), any_double(), any_double()};
+    case 20: return TriangleHit{any_int(), any_int(), any_int(), any_int(), any_vector()};
     default: return RayFinished{any_vector(), any_vector(), any_int(), any_int()};
     }
 }
@@ -120,7 +126,8 @@ inline Trace any_trace() {
         ray.events.emplace_back(RaySpawned{kind, any_int(), any_vector(), any_vector(), any_vector(),
                                            any_double(), any_below_or_none(trace.media.size()),
                                            kind == RayKind::shadow ? any_below(trace.lights.size()) : none,
-                                           any_below_or_none(trace.objects.size()), any_double()});
+                                           any_below_or_none(trace.objects.size()), any_double(),
+                                           any_double()});
         for (int n = any_below(8); n > 0; --n) ray.events.push_back(any_event(trace));
         trace.rays.push_back(std::move(ray));
     }

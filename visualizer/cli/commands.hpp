@@ -9,6 +9,7 @@ namespace rayscope::cli {
 [[nodiscard]] int step(const StepOptions& options);
 [[nodiscard]] int trace(const TraceOptions& options);
 [[nodiscard]] int render(const RenderCommandOptions& options);
+[[nodiscard]] int explain(const ExplainOptions& options);
 [[nodiscard]] int extents(const ExtentsOptions& options);
 [[nodiscard]] int export_scene(const ExportOptions& options);
 [[nodiscard]] int accuracy(const AccuracyCommandOptions& options);

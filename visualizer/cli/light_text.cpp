@@ -12,7 +12,7 @@ std::string times(const std::string& factor) { return " ×" + std::string(glue) 
 std::string equals(const std::string& value) { return " =" + std::string(glue) + value; }
 
 std::string visibility_text(const Trace& trace, int ray, const LightLit& lit, const Numbers& number) {
-    const int shadow = shadow_ray_to(trace, ray, lit.light);
+    const int shadow = shadow_ray_to(trace, ray, lit);
     const std::string seen = "visibility " + number.colour(lit.visibility) + ", ";
     if (shadow != none) return seen + "by shadow " + ray_name(shadow);
     return seen + (lit.cosine > 0 ? "no shadow ray was needed" : "not asked for");
@@ -60,6 +60,24 @@ void add_one_light(Page& page, const Trace& trace, int ray, const LightLit& lit,
     }
 }
 
+/// A point of a light's area: its sums alone.
+void add_point(Page& page, const Trace& trace, int ray, const LightLit& lit, const StepStyle& style) {
+    const Numbers& number = style.number;
+    if (lit.sample == 0)
+        page.item("light " + light_name(trace, lit.light), "has an area: " + std::to_string(lit.samples) +
+                                                               " points, each of intensity " +
+                                                               number.colour(lit.intensity));
+    const std::string label = "point " + std::to_string(lit.sample + 1);
+    if (!(lit.cosine > 0))
+        page.item(label, "behind the surface", 1);
+    else
+        page.item(label,
+                  "n·l" + equals(number(lit.cosine)) + ", " + visibility_text(trace, ray, lit, number) +
+                      ": " + number.colour(lit.diffuse) + " diffuse, " + number.colour(lit.specular) +
+                      " specular",
+                  1);
+}
+
 /// Lights that add something to the local sum, whose terms are listed in it.
 std::string sum_of_terms(const TracedRay& ray, const Numbers& number) {
     std::string text;
@@ -97,7 +115,12 @@ void add_light(Page& page, const Trace& trace, int index, const StepStyle& style
                       "scene " + number.colour(ambient->scene) +
                           times("material" + std::string(glue) + number.colour(ambient->material)) +
                           equals(number.colour(ambient->scene * ambient->material)));
-        if (const auto* lit = std::get_if<LightLit>(&event)) add_one_light(page, trace, index, *lit, style);
+        if (const auto* lit = std::get_if<LightLit>(&event)) {
+            if (lit->samples > 1)
+                add_point(page, trace, index, *lit, style);
+            else
+                add_one_light(page, trace, index, *lit, style);
+        }
     }
     if (const auto* end = ray.find<RayFinished>()) {
         const std::string terms = sum_of_terms(ray, number);

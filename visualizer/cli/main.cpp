@@ -22,6 +22,7 @@ int run(const cli::Help& help) {
 int run(const cli::StepOptions& options) { return cli::step(options); }
 int run(const cli::TraceOptions& options) { return cli::trace(options); }
 int run(const cli::RenderCommandOptions& options) { return cli::render(options); }
+int run(const cli::ExplainOptions& options) { return cli::explain(options); }
 int run(const cli::ExtentsOptions& options) { return cli::extents(options); }
 int run(const cli::ExportOptions& options) { return cli::export_scene(options); }
 int run(const cli::AccuracyCommandOptions& options) { return cli::accuracy(options); }

@@ -11,11 +11,16 @@ void add_text(CLI::App& command, const char* name, Texts::Text& text, const char
         ->take_last(); // a second one is refused below, in words of this program
 }
 
+constexpr const char* effects_help = "for experiments: auto, changes to what the scene calls for such as "
+                                     "+fresnel,-shadows, or a complete list";
+
 void add_ray_options(CLI::App& command, Texts& texts) {
     add_text(command, "SCENE", texts.scene, "", std::string(scene_help) + "; without it the glass bowl");
     add_text(command, "--pixel", texts.pixel, "X,Y",
              "the pixel to trace; without it the scene's own, or its middle");
     add_text(command, "--ray", texts.ray, "ox,oy,oz,dx,dy,dz", "a ray instead: origin and direction");
+    add_text(command, "--sample", texts.sample, "N", "which sample of the pixel; 0, its middle, without it");
+    add_text(command, "--effects", texts.effects, "LIST", effects_help);
     add_text(command, "--stage", texts.stage, "NAME",
              "also tell where a stage looks for the hits: best, scan, extents, projective, light, octree, "
              "bvh, or one "
@@ -66,12 +71,37 @@ CLI::App_p make_render(Texts& texts) {
              "of ray, "
              "such as eye=projective,shadow=light,other=octree; the image stays the same, bit for bit");
     add_text(command, "--heat", texts.heat, "KIND",
-             "instead of the image what each pixel costs: tests, cells, depth, time or rays; a .png with a "
+             "instead of the image what each pixel costs: tests, cells, depth, time, rays, samples or "
+             "dropped; a .png with a "
              "scale, or "
              "the numbers as .pfm");
+    add_text(command, "--effects", texts.effects, "LIST", effects_help);
+    add_text(command, "--samples", texts.samples, "N",
+             "at most so many in a pixel, 1 to 4096; more than one only where neighbouring pixels differ");
     add_text(command, "--stats", texts.statistics, "FILE", "write times and counts to a JSON file");
     command.footer("Example:\n  rayscope render lens -o lens.png --size 1280x960\n"
                    "  rayscope render lens --stage octree --heat tests -o tests.png\n");
+    return made;
+}
+
+CLI::App_p make_explain(Texts& texts) {
+    auto made =
+        std::make_shared<CLI::App>("tell which effects a scene calls for, and what they cost", "explain");
+    CLI::App& command = *made;
+    add_text(command, "SCENE", texts.scene, "", scene_help);
+    add_text(command, "--effects", texts.effects, "LIST", effects_help);
+    command.add_flag("--cost", texts.cost,
+                     "also render with each effect taken away, and with each that is absent added");
+    command.add_flag("--energy", texts.energy, "also tell where the light comes from, and what was dropped");
+    add_text(command, "-o", texts.output, "FOLDER",
+             "with --cost: for each effect a picture with it, without it, and 8 times the difference");
+    add_text(command, "--size", texts.size, "WxH",
+             "size of the images (the scene's, its longer side made 192)");
+    add_text(command, "--runs", texts.runs, "N", "with --cost: rounds of renders, 5 to 1000 (5)");
+    add_text(command, "--threads", texts.threads, "N",
+             "how many work at it, instead of one for each processor");
+    command.footer("Example:\n  rayscope explain lens --cost --energy\n"
+                   "  rayscope explain lens --effects +fresnel,-shadows\n");
     return made;
 }
 
@@ -131,7 +161,7 @@ CLI::App_p make_accuracy(Texts& texts) {
 } // namespace
 
 Commands make_commands(Texts& texts) {
-    return {make_step(texts),    make_trace(texts),  make_render(texts),
+    return {make_step(texts),    make_trace(texts),  make_render(texts),  make_explain(texts),
             make_extents(texts), make_export(texts), make_accuracy(texts)};
 }
 

@@ -51,6 +51,11 @@ RayChoice ray_choice(const Texts& texts) {
     if (texts.pixel && texts.ray) throw UsageError("--pixel and --ray exclude each other");
     if (texts.pixel) choice.pixel = parse_pixel(*texts.pixel);
     if (texts.ray) choice.ray = parse_ray(*texts.ray);
+    choice.effects = texts.effects;
+    if (texts.sample) {
+        if (texts.ray) throw UsageError("--sample is one of a pixel: --ray has none");
+        choice.sample = parse_count("--sample", *texts.sample, 0, most_samples - 1);
+    }
     choice.by_stage = texts.stage.has_value();
     choice.stage = asked_stage(texts);
     return choice;
@@ -93,6 +98,23 @@ Heat heat_of(const std::string& text) {
                      did_you_mean(text, known));
 }
 
+ExplainOptions explain_options(const Texts& texts) {
+    ExplainOptions options;
+    options.scene = scene_text(texts);
+    if (!texts.scene) throw UsageError("explain needs a scene: rayscope explain SCENE");
+    options.effects = texts.effects;
+    options.cost = texts.cost;
+    options.energy = texts.energy;
+    options.output = texts.output;
+    if (options.output && options.output->empty()) throw UsageError("-o: expected a folder, found ''");
+    for (const auto& [name, given] : {std::pair{"-o", texts.output}, {"--runs", texts.runs}})
+        if (given && !texts.cost) throw UsageError(std::string(name) + " has no meaning without --cost");
+    if (texts.size) options.size = parse_size(*texts.size);
+    if (texts.runs) options.rounds = parse_count("--runs", *texts.runs, 5, 1000);
+    if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
+    return options;
+}
+
 ExtentsOptions extents_options(const Texts& texts) {
     ExtentsOptions options;
     options.scene = scene_text(texts);
@@ -111,6 +133,8 @@ RenderCommandOptions render_options(const Texts& texts) {
     options.configuration = texts.configurations;
     options.stage = asked_stage(texts);
     if (texts.heat) options.heat = heat_of(*texts.heat);
+    options.effects = texts.effects;
+    if (texts.samples) options.samples = parse_count("--samples", *texts.samples, 1, most_samples);
     if (texts.size) options.size = parse_size(*texts.size);
     if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
     return options;
@@ -208,9 +232,12 @@ Options parse_options(int count, const char* const* arguments) {
         throw UsageError(text.substr(0, text.find(':')) +
                          ": expected a value after it, found none; rayscope " + command.get_name() +
                          " --help tells more");
-    } catch (const CLI::ConversionError&) { // only a flag's value is converted there
-        throw UsageError((command.get_name() == "step" ? "--no-png" : "--cases") +
-                         std::string(" takes no value"));
+    } catch (const CLI::ConversionError& error) { // only a flag's value is converted there
+        const std::string text = error.what();
+        std::string flag = command.get_name() == "step" ? "--no-png" : "--cases";
+        for (const char* name : {"--cost", "--energy"})
+            if (text.find(name) != std::string::npos) flag = name;
+        throw UsageError(flag + " takes no value");
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + "; rayscope " + command.get_name() +
                          " --help tells more");
@@ -219,6 +246,7 @@ Options parse_options(int count, const char* const* arguments) {
     refuse_repeated(command);
     if (command.get_name() == "step") return step_options(texts);
     if (command.get_name() == "render") return render_options(texts);
+    if (command.get_name() == "explain") return explain_options(texts);
     if (command.get_name() == "extents") return extents_options(texts);
     if (command.get_name() == "export") return export_options(texts);
     if (texts.cases) {

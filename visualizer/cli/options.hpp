@@ -19,6 +19,8 @@ struct RayChoice {
     std::string scene; ///< a path or the name of a shipped scene; empty: the glass bowl
     std::optional<std::pair<int, int>> pixel;
     std::optional<Ray<double>> ray;
+    std::optional<std::string> effects; ///< as rayscope::parse_effects reads them
+    int sample = 0;                     ///< of the pixel; 0 is its middle
     bool by_stage = false; ///< the trace tells where a stage looked for hits; else every object is tested
     std::optional<StageChoice> stage; ///< none: the quickest
 };
@@ -46,7 +48,18 @@ struct RenderCommandOptions {
     std::optional<std::string> configuration; ///< as rayscope::configuration reads it
     std::optional<StageChoice> stage;         ///< none: the quickest
     std::optional<Heat> heat;                 ///< the picture tells what each pixel costs
+    std::optional<std::string> effects;       ///< as rayscope::parse_effects reads them
+    int samples = 0;                          ///< at most so many in a pixel; 0: the scene's
     int threads = 0;
+};
+
+struct ExplainOptions {
+    std::string scene;
+    std::optional<std::string> effects; ///< as rayscope::parse_effects reads them
+    std::optional<Size> size;           ///< of the images that are made; without it a reduced one
+    std::optional<std::string> output;  ///< a folder for pictures of what each effect changes
+    bool cost = false, energy = false;
+    int rounds = 5, threads = 0;
 };
 
 struct ExtentsOptions {
@@ -77,8 +90,8 @@ struct Help {
     std::string text;
 };
 
-using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, ExtentsOptions,
-                             ExportOptions, AccuracyCommandOptions, CasesOptions>;
+using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, ExplainOptions,
+                             ExtentsOptions, ExportOptions, AccuracyCommandOptions, CasesOptions>;
 
 /// Throws UsageError.
 [[nodiscard]] Options parse_options(int count, const char* const* arguments);

@@ -19,6 +19,14 @@ std::string shadow_answer(const RayFinished& end, const Numbers& number) {
     return "visibility " + number.colour(end.colour);
 }
 
+void add_absorbed(Page& page, const Trace& trace, const TracedRay& ray, const Numbers& number) {
+    for (const Event& event : ray.events)
+        if (const auto* absorbed = std::get_if<Absorbed>(&event))
+            page.item("absorbed", "exp(−absorption × " + number(absorbed->length) + ") in " +
+                                      medium_name(trace, absorbed->medium) + " leaves " +
+                                      number.colour(absorbed->passed));
+}
+
 /// Of the parts of a ray only its end is kept after that.
 void add_truncation(Page& page, const TracedRay& ray) {
     if (ray.find<Truncated>() == nullptr) return;
@@ -35,6 +43,7 @@ void add_shadow_answer(Page& page, const Trace& trace, const TracedRay& ray, con
             page.item("× " + style.number.colour(passed->transmission),
                       "transmission of " + object_name(trace, passed->object) +
                           ", a boundary at t = " + style.number(passed->t));
+    add_absorbed(page, trace, ray, style.number);
     if (const auto* end = ray.find<RayFinished>()) page.line(shadow_answer(*end, style.number), 2);
 }
 
@@ -60,6 +69,8 @@ void add_start(Page& page, const Trace& trace, int index, const StepStyle& style
                                ? "∞: the light is infinitely far away"
                                : "t = " + number(start.reach) + ", the distance of the light");
     page.item("medium", medium_text(trace, start.medium, number));
+    if (start.wavelength > 0)
+        page.item("wavelength", number(start.wavelength) + " nm: the part of the spectrum that it carries");
     if (start.left_object != none)
         page.item("starts on", object_name(trace, start.left_object) + ", whose surface is ignored within " +
                                    number(start.left_bound) + " of the origin");
@@ -71,6 +82,7 @@ void add_hit(Page& page, const Trace& trace, int index, const StepStyle& style) 
     if (const auto* missed = ray.find<Missed>()) {
         page.heading("Nothing is hit");
         page.item("background", number.colour(missed->background));
+        add_absorbed(page, trace, ray, number);
         return;
     }
     const auto* hit = ray.find<BoundaryChosen>();
@@ -95,6 +107,7 @@ void add_hit(Page& page, const Trace& trace, int index, const StepStyle& style) 
     page.item("normal", "n = " + number.vector(hit->normal) + ", outward");
     if (hit->facing != hit->normal)
         page.item("", "turned against the ray: n = " + number.vector(hit->facing));
+    add_absorbed(page, trace, ray, number);
     if (hit->medium_from == hit->medium_to) return; // an opaque object: nothing goes on
     page.item("media", "from " + medium_name(trace, hit->medium_from) + " (speed" + glue +
                            number(hit->speed_from) + ") to " + medium_name(trace, hit->medium_to) +

@@ -48,7 +48,7 @@ int render(const RenderCommandOptions& options) {
     report.output = options.output;
 
     const Stopwatch loading;
-    const Scene scene = load_scene(path);
+    const Scene scene = load_with_effects(path, options.effects);
     report.load = loading.elapsed();
     print_warnings(scene);
     const Stopwatch building;
@@ -68,6 +68,7 @@ int render(const RenderCommandOptions& options) {
     tracing.threads = options.threads;
     tracing.stage = options.stage;
     tracing.heat = options.heat;
+    tracing.samples = options.samples;
     tracing.stop = &stop_asked_for;
     catch_interrupts();
     RenderResult result;

@@ -59,6 +59,14 @@ fs::path find_scene(const std::string& text) {
                                       : "; scenes that ship: " + one_of(names)));
 }
 
+Scene load_with_effects(const std::filesystem::path& path, const std::optional<std::string>& effects) {
+    try {
+        return load_scene(path, effects);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(std::string("--effects: ") + error.what());
+    }
+}
+
 Trace trace_choice(const Workbench& bench, const RayChoice& choice) {
     std::shared_ptr<const StageSet> stages;
     if (choice.by_stage) stages = make_stages(bench, choice.stage);
@@ -71,7 +79,8 @@ Trace trace_choice(const Workbench& bench, const RayChoice& choice) {
                          " lies outside the image of " + std::to_string(camera.width) + " × " +
                          std::to_string(camera.height) + " pixels, whose last one is " +
                          std::to_string(camera.width - 1) + "," + std::to_string(camera.height - 1));
-    return stages ? trace_pixel(bench, *stages, x, y) : trace_pixel(bench, x, y);
+    return stages ? trace_pixel(bench, *stages, x, y, 0, 0, choice.sample)
+                  : trace_pixel(bench, x, y, 0, 0, choice.sample);
 }
 
 } // namespace rayscope::cli

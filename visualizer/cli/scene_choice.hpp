@@ -11,6 +11,10 @@ namespace rayscope::cli {
 /// an empty text the glass bowl. Throws UsageError with near matches.
 [[nodiscard]] std::filesystem::path find_scene(const std::string& text);
 
+/// The scene with the effects that were asked for, if any. Throws InputError, and UsageError where those can't be read.
+[[nodiscard]] Scene load_with_effects(const std::filesystem::path& path,
+                                      const std::optional<std::string>& effects);
+
 /// Traces the chosen ray. Throws UsageError if its pixel lies outside the image.
 [[nodiscard]] Trace trace_choice(const Workbench& bench, const RayChoice& choice);
 

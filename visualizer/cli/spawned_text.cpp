@@ -6,15 +6,18 @@
 namespace rayscope::cli {
 namespace {
 
-int child_of_kind(const Trace& trace, int ray, RayKind kind) {
-    for (const int child : trace.rays[std::size_t(ray)].children)
-        if (trace.rays[std::size_t(child)].start().kind == kind) return child;
+int child_of_kind(const Trace& trace, int ray, RayKind kind, double wavelength) {
+    for (const int child : trace.rays[std::size_t(ray)].children) {
+        const RaySpawned& start = trace.rays[std::size_t(child)].start();
+        if (start.kind == kind && (kind == RayKind::reflected || start.wavelength == wavelength))
+            return child;
+    }
     return none;
 }
 
 void add_child(Page& page, const Trace& trace, int ray, RayKind kind, const Colour& coefficient,
-               const StepStyle& style) {
-    const int child = child_of_kind(trace, ray, kind);
+               const StepStyle& style, double wavelength = 0) {
+    const int child = child_of_kind(trace, ray, kind, wavelength);
     if (child == none) return; // refused: its reason follows, or the record was full
     const Numbers& number = style.number;
     const Colour& own = trace.rays[std::size_t(ray)].start().weight;
@@ -42,30 +45,47 @@ void add_reflected(Page& page, const Trace& trace, int ray, const Reflected& ref
     add_child(page, trace, ray, RayKind::reflected, reflected.coefficient, style);
 }
 
-void add_eta(Page& page, const BoundaryChosen& hit, double eta, const Numbers& number) {
-    page.item("speeds", "c₁ = " + number(hit.speed_from) + ", c₂ = " + number(hit.speed_to) +
-                            ", eta = c₂/c₁ = " + number(eta));
+void add_eta(Page& page, const BoundaryChosen& hit, double eta, double wavelength, const Numbers& number) {
+    if (wavelength > 0)
+        page.item("speeds", "eta = c₂/c₁ = " + number(eta) + " at this wavelength");
+    else
+        page.item("speeds", "c₁ = " + number(hit.speed_from) + ", c₂ = " + number(hit.speed_to) +
+                                ", eta = c₂/c₁ = " + number(eta));
+}
+
+std::string of_wavelength(double wavelength, const Numbers& number) {
+    return wavelength > 0 ? ", " + number(wavelength) + " nm" : "";
+}
+
+void add_fresnel(Page& page, const FresnelShared& shared, const StepStyle& style) {
+    const Numbers& number = style.number;
+    page.heading("Fresnel: how much is reflected" + of_wavelength(shared.wavelength, number));
+    page.item("R", "(Rs + Rp) / 2 = (" + number(shared.perpendicular) + " + " + number(shared.parallel) +
+                       ") / 2 = " + number((shared.perpendicular + shared.parallel) / 2));
+    page.item("Schlick", number(shared.schlick) + ", his approximation");
+    page.item("reflected",
+              number(shared.reflected) + "; the rest, " + number(1 - shared.reflected) + ", goes through");
 }
 
 void add_refracted(Page& page, const Trace& trace, int ray, const BoundaryChosen& hit,
                    const Refracted& refracted, const StepStyle& style) {
     const Numbers& number = style.number;
-    page.heading("Refraction: sin θ₂ = (c₂/c₁) sin θ₁");
+    page.heading("Refraction: sin θ₂ = (c₂/c₁) sin θ₁" + of_wavelength(refracted.wavelength, number));
     page.item("coefficient", number.colour(refracted.coefficient));
-    add_eta(page, hit, refracted.eta, number);
+    add_eta(page, hit, refracted.eta, refracted.wavelength, number);
     page.item("angles", "θ₁ = " + number.degrees(refracted.theta_from) +
                             ", θ₂ = " + number.degrees(refracted.theta_to));
     page.item("Snell", "sin θ₂ = " + number(refracted.eta) + " × " + number(std::sin(refracted.theta_from)) +
                            " = " + number(std::sin(refracted.theta_to)));
     page.item("critical", critical_text(hit, refracted.theta_from, refracted.critical, number));
     page.item("direction", number.vector(refracted.direction));
-    add_child(page, trace, ray, RayKind::refracted, refracted.coefficient, style);
+    add_child(page, trace, ray, RayKind::refracted, refracted.coefficient, style, refracted.wavelength);
 }
 
 void add_total(Page& page, const BoundaryChosen& hit, const TotallyReflected& total, const StepStyle& style) {
     const Numbers& number = style.number;
-    page.heading("Total internal reflection: no θ₂ exists");
-    add_eta(page, hit, total.eta, number);
+    page.heading("Total internal reflection: no θ₂ exists" + of_wavelength(total.wavelength, number));
+    add_eta(page, hit, total.eta, total.wavelength, number);
     page.item("Snell", "θ₁ = " + number.degrees(total.theta_from) + "; sin θ₂ would be " + number(total.eta) +
                            " × " + number(std::sin(total.theta_from)) + " = " +
                            number(total.eta * std::sin(total.theta_from)) + ", more than 1");
@@ -102,6 +122,7 @@ void add_spawned(Page& page, const Trace& trace, int index, const StepStyle& sty
     if (hit == nullptr) return;
     bool refusals = false;
     for (const Event& event : ray.events) {
+        if (const auto* shared = std::get_if<FresnelShared>(&event)) add_fresnel(page, *shared, style);
         if (const auto* total = std::get_if<TotallyReflected>(&event)) add_total(page, *hit, *total, style);
         if (const auto* reflected = std::get_if<Reflected>(&event))
             add_reflected(page, trace, index, *reflected, style);

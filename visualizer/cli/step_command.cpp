@@ -65,7 +65,8 @@ int step(const StepOptions& options) {
         if (!can_draw()) throw std::runtime_error(how_to_draw());
     }
     if (options.compare) (void)chosen_configuration("--compare", *options.compare, {});
-    const Workbench bench = open(find_scene(options.choice.scene));
+    const Workbench bench =
+        make_workbench(load_with_effects(find_scene(options.choice.scene), options.choice.effects));
     print_warnings(bench.scene);
     std::optional<std::size_t> asked_for;
     if (options.why) asked_for = find_drawn(bench.scene, *options.why);

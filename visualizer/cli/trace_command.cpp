@@ -17,7 +17,8 @@ int trace(const TraceOptions& options) {
     check_output("-o", options.output, {".json", ".vtm"});
     const bool for_paraview = output.extension() == ".vtm";
     if (for_paraview && !can_draw()) throw std::runtime_error(how_to_draw());
-    const Workbench bench = open(find_scene(options.choice.scene));
+    const Workbench bench =
+        make_workbench(load_with_effects(find_scene(options.choice.scene), options.choice.effects));
     print_warnings(bench.scene);
     const Trace traced = trace_choice(bench, options.choice);
     if (for_paraview)

@@ -15,10 +15,21 @@ constexpr std::array<Rgb, 6> lanes{Rgb{0x56, 0xB4, 0xE9}, Rgb{0xCC, 0x79, 0xA7},
 
 std::uint8_t byte(double value) { return std::uint8_t(std::lround(std::clamp(value, 0.0, 1.0) * 255)); }
 
+// As bright as the others: a light ground swallows pure yellow.
+Rgb hue_of(double wavelength) {
+    constexpr double darker = 0.2;
+    const Colour spectral = spectral_colour(wavelength);
+    const double most = largest_component(spectral);
+    return most > 0 ? mixed(on_screen(spectral / most), ink, darker) : ink;
+}
+
 } // namespace
 
 Rgb ray_colour(const TracedRay& ray) {
-    return is_blocked(ray) ? blocked_grey : kinds.at(std::size_t(ray.start().kind));
+    const RaySpawned& start = ray.start();
+    if (is_blocked(ray)) return blocked_grey;
+    if (start.wavelength > 0 && start.kind != RayKind::shadow) return hue_of(start.wavelength);
+    return kinds.at(std::size_t(start.kind));
 }
 
 Rgb ray_text_colour(const TracedRay& ray) {

@@ -19,7 +19,7 @@ inline constexpr Rgb highlight{0xFF, 0xEE, 0x99}, normal_green{0x00, 0x9E, 0x73}
     hit_purple{0xAA, 0x3C, 0x84};
 inline constexpr Rgb light_yellow{0xF0, 0xC0, 0x20}, place_blue{0x6A, 0x7F, 0xA8};
 
-/// Lines of a ray: by kind, and grey for a shadow ray that something opaque stops.
+/// Lines of a ray: by kind, in the hue of its wavelength if it has one, and grey for a shadow ray that something opaque stops.
 [[nodiscard]] Rgb ray_colour(const TracedRay& ray);
 /// The same, dark enough for text.
 [[nodiscard]] Rgb ray_text_colour(const TracedRay& ray);

@@ -4,7 +4,7 @@
 namespace rayscope {
 
 template RenderResult render(const World<Float128>&, const Camera&, const RenderOptions&);
-template Recording record(const World<Float128>&, const Ray<double>&);
+template Recording record(const World<Float128>&, const Ray<double>&, const std::optional<SampleAddress>&);
 template std::vector<ObjectSpan> object_spans(const World<Float128>&, std::uint32_t, const Ray<Float128>&);
 template std::vector<FirstHit> first_hits(const World<Float128>&, const Camera&, const RenderOptions&);
 template std::vector<ReferenceSample> reference_samples(const World<Float128>&, const EyeRays&, int, int, int,

@@ -4,7 +4,8 @@
 namespace rayscope {
 
 template RenderResult render(const World<Textbook<float>>&, const Camera&, const RenderOptions&);
-template Recording record(const World<Textbook<float>>&, const Ray<double>&);
+template Recording record(const World<Textbook<float>>&, const Ray<double>&,
+                          const std::optional<SampleAddress>&);
 template std::vector<ObjectSpan> object_spans(const World<Textbook<float>>&, std::uint32_t,
                                               const Ray<float>&);
 template std::vector<FirstHit> first_hits(const World<Textbook<float>>&, const Camera&, const RenderOptions&);

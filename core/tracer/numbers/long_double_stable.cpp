@@ -4,7 +4,7 @@
 namespace rayscope {
 
 template RenderResult render(const World<long double>&, const Camera&, const RenderOptions&);
-template Recording record(const World<long double>&, const Ray<double>&);
+template Recording record(const World<long double>&, const Ray<double>&, const std::optional<SampleAddress>&);
 template std::vector<ObjectSpan> object_spans(const World<long double>&, std::uint32_t,
                                               const Ray<long double>&);
 template std::vector<FirstHit> first_hits(const World<long double>&, const Camera&, const RenderOptions&);

@@ -4,7 +4,8 @@
 namespace rayscope {
 
 template RenderResult render(const World<Textbook<long double>>&, const Camera&, const RenderOptions&);
-template Recording record(const World<Textbook<long double>>&, const Ray<double>&);
+template Recording record(const World<Textbook<long double>>&, const Ray<double>&,
+                          const std::optional<SampleAddress>&);
 template std::vector<ObjectSpan> object_spans(const World<Textbook<long double>>&, std::uint32_t,
                                               const Ray<long double>&);
 template std::vector<FirstHit> first_hits(const World<Textbook<long double>>&, const Camera&,

@@ -1,0 +1,178 @@
+#include "core/effects/effect_needs.hpp"
+
+#include "core/effects/used_materials.hpp"
+#include "core/scene/name_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rayscope {
+namespace {
+
+/// The largest that a coefficient is anywhere.
+double largest_of(const Colour& colour, const std::optional<Pattern>& pattern) {
+    return largest_component(pattern ? maximum_of(pattern->even, pattern->odd) : colour);
+}
+
+class Finder {
+public:
+    Finder(const Scene& scene, const WorldBase& world)
+        : scene_(scene), world_(world), used_(used_materials(scene)) {}
+
+    [[nodiscard]] std::vector<EffectNeed> all() {
+        ambient();
+        of_material(Effect::diffuse, "scatters light", "no drawn material has a diffuse coefficient",
+                    lit(&SceneMaterial::diffuse, &Patterns::diffuse));
+        of_material(Effect::specular, "has highlights", "no drawn material has a specular coefficient",
+                    lit(&SceneMaterial::specular, &Patterns::specular));
+        shadows();
+        of_object(Effect::reflection, "mirrors", "no drawn object has a reflection coefficient",
+                  [](const SceneMaterial& m) {
+                      return m.mirror != Mirror::constant ||
+                             largest_of(m.reflection, m.patterns.reflection) > 0;
+                  });
+        of_object(Effect::refraction, "lets light through", "no drawn object transmits light",
+                  &SceneMaterial::transmits);
+        nested_media();
+        soft_shadows();
+        of_object(Effect::fresnel, "has fresnel set", "no drawn object's material has fresnel set",
+                  [](const SceneMaterial& m) { return m.mirror != Mirror::constant; });
+        of_object(
+            Effect::absorption, "absorbs light inside", "no medium has an absorption",
+            [](const SceneMaterial& m) { return m.transmits() && largest_component(m.absorption) > 0; });
+        of_object(Effect::dispersion, "bends each colour by an index of its own",
+                  "no medium's index depends on the colour",
+                  [](const SceneMaterial& m) { return m.transmits() && m.dispersion.spreads(); });
+        antialiasing();
+        of_material(Effect::patterns, "has a coefficient with a pattern", "no coefficient has a pattern",
+                    [](const SceneMaterial& m) { return m.patterns.any(); });
+        return std::move(needs_);
+    }
+
+private:
+    using Lit = std::function<bool(const SceneMaterial&)>;
+
+    static Lit lit(Colour SceneMaterial::* colour, std::optional<Pattern> Patterns::* pattern) {
+        return [=](const SceneMaterial& m) { return largest_of(m.*colour, m.patterns.*pattern) > 0; };
+    }
+
+    void add(Effect effect, bool needed, std::string reason) {
+        needs_.push_back({effect, needed, std::move(reason)});
+    }
+    [[nodiscard]] std::string at(Place place) const {
+        return place.line > 0 ? fmt::format(", {}:{}", scene_.file, place.line) : "";
+    }
+    [[nodiscard]] std::string title(std::size_t drawn) const {
+        return object_title(scene_, scene_.drawn[drawn]);
+    }
+    [[nodiscard]] const UsedMaterial* first(bool of_objects, const Lit& asks) const {
+        for (const UsedMaterial& used : used_)
+            if ((used.is_object || !of_objects) && asks(scene_.materials[used.material])) return &used;
+        return nullptr;
+    }
+    void from(Effect effect, const UsedMaterial* used, const char* does, const char* otherwise) {
+        if (used == nullptr) {
+            add(effect, false, otherwise);
+            return;
+        }
+        const SceneMaterial& material = scene_.materials[used->material];
+        add(effect, true,
+            fmt::format("material '{}' of '{}' {}{}", material.name, title(used->object), does,
+                        at(material.place)));
+    }
+    void of_material(Effect effect, const char* does, const char* otherwise, const Lit& asks) {
+        const UsedMaterial* used = first(false, asks);
+        const bool from_lights = effect == Effect::diffuse || effect == Effect::specular;
+        if (from_lights && used != nullptr && scene_.lights.empty())
+            add(effect, false, "there is no light");
+        else
+            from(effect, used, does, otherwise);
+    }
+    void of_object(Effect effect, const char* does, const char* otherwise, const Lit& asks) {
+        const UsedMaterial* used = first(true, asks);
+        const bool recursive = effect == Effect::reflection || effect == Effect::refraction;
+        if (recursive && used != nullptr && scene_.limits.max_depth == 0)
+            add(effect, false, "max_depth is 0: no ray follows the eye's");
+        else
+            from(effect, used, does, otherwise);
+    }
+
+    void ambient() {
+        if (!(largest_component(scene_.ambient) > 0))
+            add(Effect::ambient, false, "the scene's ambient light is 0");
+        else
+            of_material(Effect::ambient, "answers to ambient light",
+                        "no drawn material has an ambient coefficient",
+                        lit(&SceneMaterial::ambient, &Patterns::ambient));
+    }
+    void shadows() {
+        const Lit local = [](const SceneMaterial& m) {
+            return largest_of(m.diffuse, m.patterns.diffuse) > 0 ||
+                   largest_of(m.specular, m.patterns.specular) > 0;
+        };
+        const auto light = std::ranges::find_if(scene_.lights, &SceneLight::shadows);
+        if (scene_.lights.empty())
+            add(Effect::shadows, false, "there is no light");
+        else if (light == scene_.lights.end())
+            add(Effect::shadows, false, "no light casts them: shadows = false");
+        else if (first(false, local) == nullptr)
+            add(Effect::shadows, false, "no drawn material answers to a light");
+        else
+            add(Effect::shadows, true, fmt::format("light '{}' casts them{}", light->name, at(light->place)));
+    }
+    void soft_shadows() {
+        const auto light = std::ranges::find_if(
+            scene_.lights, [](const SceneLight& l) { return l.area.samples > 1 && l.shadows; });
+        if (light == scene_.lights.end())
+            add(Effect::soft_shadows, false, "no light has an area: one ray to each tells");
+        else
+            add(Effect::soft_shadows, true,
+                fmt::format("light '{}' has an area, asked by {} rays{}", light->name, light->area.samples,
+                            at(light->place)));
+    }
+    void nested_media() {
+        if (scene_.notes_media) {
+            add(Effect::nested_media, false, "media = \"notes\": outside of every medium is air");
+            return;
+        }
+        for (const std::uint32_t object : world_.media.all()) {
+            std::optional<std::uint32_t> neighbour;
+            world_.media.each_near(object, [&](std::uint32_t other) {
+                if (!neighbour) neighbour = other;
+            });
+            if (!neighbour) continue;
+            add(Effect::nested_media, true,
+                fmt::format("media '{}' and '{}' may share a place", title(object), title(*neighbour)));
+            return;
+        }
+        add(Effect::nested_media, false, "no two media come near each other");
+    }
+    void antialiasing() {
+        if (scene_.camera.samples > 1)
+            add(Effect::antialiasing, true,
+                fmt::format("the camera asks for up to {} samples where neighbouring pixels differ",
+                            scene_.camera.samples));
+        else
+            add(Effect::antialiasing, false, "the camera asks for one sample in each pixel");
+    }
+
+    const Scene& scene_;
+    const WorldBase& world_;
+    std::vector<UsedMaterial> used_;
+    std::vector<EffectNeed> needs_;
+};
+
+} // namespace
+
+std::vector<EffectNeed> effect_needs(const Scene& scene, const WorldBase& world) {
+    return Finder(scene, world).all();
+}
+
+EffectSet needed_effects(const std::vector<EffectNeed>& needs) {
+    EffectSet set;
+    for (const EffectNeed& need : needs) set.set(need.effect, need.needed);
+    return set;
+}
+
+} // namespace rayscope

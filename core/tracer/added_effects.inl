@@ -1,0 +1,110 @@
+#pragma once
+// The steps of the tracer with all effects that the classic one does not have.
+
+#include "core/tracer/tracer.hpp"
+
+namespace rayscope {
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+bool Tracer<N, Stage, Recorder, Order, mask>::spreads(const MediaPair& media) const {
+    const auto spreads = [&](Id medium) {
+        return medium != none && world_.material_of(std::uint32_t(medium)).dispersion.spreads();
+    };
+    return media.from != media.to && (spreads(media.from) || spreads(media.to));
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+auto Tracer<N, Stage, Recorder, Order, mask>::speed_at(Id medium, double wavelength) const -> T {
+    return medium == none ? T(world_.medium_speed)
+                          : T(world_.material_of(std::uint32_t(medium)).speed_at(wavelength));
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+void Tracer<N, Stage, Recorder, Order, mask>::set_speeds(Interaction<N>& at, double wavelength) const {
+    at.speed_from = speed_at(at.media.from, wavelength);
+    at.speed_to = speed_at(at.media.to, wavelength);
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+EvenMaterials Tracer<N, Stage, Recorder, Order, mask>::even_materials(const Interaction<N>& at,
+                                                                      const Ray<T>& ray) const {
+    const Vec3d point =
+        pattern_point(world_.solids[at.hit.surface.solid], ray, at.hit.t, int(at.hit.surface.face));
+    const auto even = [&](const Material& material) {
+        return material.patterns == none
+                   ? material
+                   : without_patterns(material, world_.patterns[std::size_t(material.patterns)], point);
+    };
+    return {even(*at.material), even(*at.wall)};
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+double Tracer<N, Stage, Recorder, Order, mask>::reflected_share(Mirror mirror, const Bend& bend) {
+    const auto shares = fresnel<N>(bend.bent, bend.speed_from, bend.speed_to);
+    const double by_schlick = double(schlick(bend.bent, bend.speed_from, bend.speed_to));
+    const double reflected = mirror == Mirror::schlick ? by_schlick : double(shares.unpolarized());
+    if constexpr (Recorder::enabled)
+        recorder_.record(FresnelShared{double(shares.perpendicular), double(shares.parallel), by_schlick,
+                                       reflected, bend.wavelength});
+    return reflected;
+}
+
+// One ray has carried all colours so far. One still does on the mirrored way, which is the same for all of them.
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+void Tracer<N, Stage, Recorder, Order, mask>::add_spread_light(Colour& colour, const Interaction<N>& at,
+                                                               const Budget& budget) {
+    const Material& material = *at.material;
+    if (spectrum_.empty()) spectrum_.sample(world_.wavelengths, budget.path);
+    struct Ray {
+        Bend bend;
+        Colour share;
+    };
+    std::vector<Ray> through;
+    through.reserve(spectrum_.lines().size());
+    Colour mirrored = material.mirror == Mirror::constant ? material.reflection : Colour{0};
+    for (const Spectrum::Line& line : spectrum_.lines()) {
+        const T from = speed_at(at.media.from, line.wavelength), to = speed_at(at.media.to, line.wavelength);
+        const Bend bend{bent_at(at, from, to), from, to, line.wavelength};
+        Colour share = material.transmission * line.share;
+        if (bend.bent.total()) {
+            mirrored += share;
+            note_total_reflection(bend, share);
+            refuse(RayKind::refracted, Reason::total_internal_reflection, share, budget);
+            continue;
+        }
+        if (material.mirror != Mirror::constant) {
+            const Colour reflected = share * reflected_share(material.mirror, bend);
+            mirrored += reflected;
+            share -= reflected;
+        }
+        through.push_back({bend, share});
+    }
+    colour += mirrored_light(at, mirrored, budget);
+    for (const Ray& ray : through) colour += transmitted_light(at, ray.bend, ray.share, budget);
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+Colour Tracer<N, Stage, Recorder, Order, mask>::absorbed(const Ray<T>& ray, Id medium, T t) {
+    if (medium == none) return Colour{1};
+    const Material& material = world_.material_of(std::uint32_t(medium));
+    if (!material.absorbs()) return Colour{1};
+    const double way = double(t) * double(length(ray.direction));
+    const Colour passed = beer_lambert(material.absorption, way);
+    if constexpr (Recorder::enabled) recorder_.record(Absorbed{medium, way, passed});
+    return passed;
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+Colour Tracer<N, Stage, Recorder, Order, mask>::absorbed_to_light(const Ray<T>& ray, T distance,
+                                                                  const Leaving<T>& leaving) {
+    Colour seen{1};
+    AbsorbedWay<N>().walk(world_, ray, distance, leaving, work_,
+                          [&](Id medium, double way, const Colour& passed) {
+                              if constexpr (Recorder::enabled)
+                                  recorder_.record(Absorbed{medium, way, passed});
+                              seen *= passed;
+                          });
+    return seen;
+}
+
+} // namespace rayscope

@@ -1,0 +1,128 @@
+#pragma once
+// Local light: what the lights send to a point, and what stands in their way.
+
+#include "core/tracer/tracer.hpp"
+
+namespace rayscope {
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+Colour Tracer<N, Stage, Recorder, Order, mask>::local_light(const Interaction<N>& at, const Budget& budget) {
+    if (at.leaves_transmitting_solid) {
+        if constexpr (Recorder::enabled) recorder_.record(LocalLightSkipped{});
+        return Colour{0};
+    }
+    if constexpr (Recorder::enabled) recorder_.record(AmbientLit{world_.ambient, at.wall->ambient});
+    Colour colour = world_.ambient * at.wall->ambient;
+    for (Id light = 0; light < Id(world_.lights.size()); ++light) add_light_from(colour, light, at, budget);
+    return colour;
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+void Tracer<N, Stage, Recorder, Order, mask>::add_light_from(Colour& colour, Id id, const Interaction<N>& at,
+                                                             const Budget& budget) {
+    const Light& light = world_.lights[std::size_t(id)];
+    if constexpr (all_effects) {
+        if (light.area.samples > 1) {
+            add_area_light_from(colour, id, at, budget);
+            return;
+        }
+    }
+    const Vec3<T> position = as<T>(light.position);
+    colour += light_along({id, 0, 1, light.colour, light.directional},
+                          light.directional ? position : position - at.point, at, budget);
+}
+
+// An area is so many points, each with its part of the light.
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+void Tracer<N, Stage, Recorder, Order, mask>::add_area_light_from(Colour& colour, Id id,
+                                                                  const Interaction<N>& at,
+                                                                  const Budget& budget) {
+    const Light& light = world_.lights[std::size_t(id)];
+    const int samples = light.area.samples;
+    const Vec3<T> to_centre = as<T>(light.position) - at.point;
+    const Vec3d towards = as<double>(normalized(to_centre));
+    const std::uint32_t seed = mixed(mixed(budget.path, area_stream), std::uint32_t(id));
+    for (int i = 0; i < samples; ++i) {
+        const Vec3d aside = light.area.offset(hashed_sobol(std::uint32_t(i), seed), towards);
+        colour += light_along({id, i, samples, light.colour / double(samples), false},
+                              to_centre + as<T>(aside), at, budget);
+    }
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+Colour Tracer<N, Stage, Recorder, Order, mask>::light_along(const LightPoint& light, const Vec3<T>& offset,
+                                                            const Interaction<N>& at, const Budget& budget) {
+    const Vec3<T> to_light = normalized(offset);
+    double cosine = double(dot(at.facing, to_light));
+    // Light from behind the face itself does not come through, whatever an interpolated normal says.
+    if (const double flat = double(dot(at.flat, to_light)); at.smooth && flat < 0)
+        cosine = minimum(cosine, flat);
+    const double mirror = double(mirror_cosine(to_light, at.facing, at.incoming));
+    const Colour diffuse = at.wall->diffuse * diffuse_share(cosine);
+    const Colour specular = at.wall->specular * specular_share(cosine, mirror, at.wall->shininess);
+    // A light behind the surface, or one that the material ignores, needs no shadow ray.
+    Colour seen{1};
+    if (world_.lights[std::size_t(light.id)].shadows && largest_component(diffuse + specular) > 0)
+        seen = visibility(light, to_light, light.endless ? infinity<T> : length(offset), at, budget);
+    const Colour arriving = light.colour * seen;
+    if constexpr (Recorder::enabled)
+        recorder_.record(LightLit{light.id, as<double>(to_light), cosine, mirror, at.wall->shininess,
+                                  light.sample, light.samples, light.colour, seen, at.wall->diffuse,
+                                  at.wall->specular, diffuse * arriving, specular * arriving});
+    return diffuse * arriving + specular * arriving;
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+Colour Tracer<N, Stage, Recorder, Order, mask>::visibility(const LightPoint& light, const Vec3<T>& to_light,
+                                                           T distance, const Interaction<N>& at,
+                                                           const Budget& budget) {
+    const Ray<T> ray{at.point, to_light};
+    ++work_.counters.rays[std::size_t(RayKind::shadow)];
+    if constexpr (Recorder::enabled)
+        recorder_.record(spawned(RayKind::shadow, ray, at.back, budget, distance, light.id));
+    const std::uint64_t before = work_.counters.objects;
+    // A stage's lists are made for the middle of a light.
+    const RayUse use{RayKind::shadow, none, none, light.samples > 1 ? none : light.id};
+    const bool dark =
+        stage_.blocked(use, ray, Range<T>{secondary_start<N>, distance}, at.back, work_, recorder_);
+    Colour seen{dark ? 0.0 : 1.0};
+    if (!dark) {
+        for (const Blocker<T>& blocker : work_.blockers) {
+            const Colour transmission = passing(blocker, ray);
+            if constexpr (Recorder::enabled)
+                recorder_.record(BlockerPassed{Id(blocker.object), double(blocker.t), transmission});
+            seen *= transmission;
+        }
+        if constexpr (all_effects)
+            if (world_.absorbs && largest_component(seen) > 0)
+                seen *= absorbed_to_light(ray, distance, at.back);
+    }
+    if constexpr (Recorder::enabled)
+        recorder_.record(RayFinished{seen, seen, int(work_.counters.objects - before)});
+    return seen;
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+Colour Tracer<N, Stage, Recorder, Order, mask>::passing(const Blocker<T>& blocker, const Ray<T>& ray) const {
+    const Material& material = world_.material_of(blocker.object);
+    if constexpr (all_effects) {
+        if (material.mirror != Mirror::constant) {
+            // By the angle outside, on the way in and out alike: the way of the light that is not bent is the same.
+            const Solid<N>& solid = world_.solids[blocker.surface.solid];
+            const Vec3<T> normal = solid.normal(ray, blocker.t, blocker.surface.face);
+            const T outside = T(world_.medium_speed), inside = T(material.speed);
+            const auto bent = refract<N>(ray.direction, normal, outside, inside);
+            const T reflected = material.mirror == Mirror::schlick
+                                    ? schlick(bent, outside, inside)
+                                    : fresnel<N>(bent, outside, inside).unpolarized();
+            return Colour{1 - double(reflected)};
+        }
+        if (material.patterns != none)
+            if (const auto& pattern = world_.patterns[std::size_t(material.patterns)].transmission)
+                return pattern->at(pattern_point(world_.solids[blocker.surface.solid], ray, blocker.t,
+                                                 int(blocker.surface.face)));
+    }
+    return material.transmission;
+}
+
+} // namespace rayscope

@@ -1,0 +1,42 @@
+#include "core/world/light_area.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rayscope {
+namespace {
+
+struct DiskPoint {
+    double x, y;
+};
+
+// Shirley and Chiu (1997): concentric squares become concentric circles, so that what is even stays even.
+DiskPoint on_disk(const SquarePoint& square) {
+    const double a = 2 * square.x - 1, b = 2 * square.y - 1;
+    if (a == 0 && b == 0) return {0, 0};
+    constexpr double quarter = std::numbers::pi / 4;
+    const bool wide = std::abs(a) > std::abs(b);
+    const double r = wide ? a : b, angle = wide ? quarter * (b / a) : 2 * quarter - quarter * (a / b);
+    return {r * std::cos(angle), r * std::sin(angle)};
+}
+
+} // namespace
+
+Vec3d LightArea::offset(const SquarePoint& square, const Vec3d& towards) const {
+    switch (shape) {
+    case Shape::rectangle: return (2 * square.x - 1) * u + (2 * square.y - 1) * v;
+    case Shape::disk: {
+        const DiskPoint p = on_disk(square);
+        return radius * (p.x * u + p.y * v);
+    }
+    case Shape::sphere: {
+        const DiskPoint p = on_disk(square);
+        const Vec3d side = across(towards);
+        return radius * (p.x * side + p.y * cross(towards, side));
+    }
+    case Shape::point: break;
+    }
+    return Vec3d{0};
+}
+
+} // namespace rayscope

@@ -1,0 +1,172 @@
+// Guards against work for an effect that nothing calls for, and against a reason that names the wrong thing.
+
+#include "core/scene/read_toml.hpp"
+#include "tests/support/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace rayscope::test {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<EffectNeed> needs_of(const std::string& text) {
+    const Workbench bench = make_workbench(parse_toml(text, "scene.toml"));
+    return effect_needs(bench.scene, bench.world);
+}
+const EffectNeed& need(const std::vector<EffectNeed>& needs, Effect effect) {
+    return needs.at(std::size_t(effect));
+}
+
+constexpr const char* everything = R"(
+[camera]
+eye = [0, -6, 2]
+up = [0, 0, 1]
+samples = 9
+[lights.lamp]
+position = [3, -3, 6]
+sphere = 0.4
+[materials.flint]
+fresnel = true
+index = 1.62
+abbe = 36
+absorption = [0.1, 0.2, 0.3]
+[materials.floor]
+diffuse = { checker = [1, 0.1], size = 0.5 }
+specular = 0.3
+[materials.mirror]
+reflection = 0.5
+[materials.unused]
+transmission = 0.9
+[generics.ball]
+shape = "sphere"
+material = "flint"
+[generics.drop]
+shape = "sphere"
+material = "flint"
+transform = [{ scale = 0.5 }]
+[generics.ground]
+shape = "plane"
+material = "floor"
+transform = [{ translate = [0, 0, -1] }]
+[generics.wall]
+shape = "plane"
+material = "mirror"
+transform = [{ rotate_x = 90 }, { translate = [0, 9, 0] }]
+)";
+
+TEST(Needs, of_a_scene_with_everything_name_who_calls) {
+    const auto needs = needs_of(everything);
+    for (const EffectNeed& n : needs)
+        EXPECT_TRUE(n.needed) << effect_names[std::size_t(n.effect)].name << ": " << n.reason;
+    EXPECT_THAT(need(needs, Effect::soft_shadows).reason, HasSubstr("'lamp'"));
+    EXPECT_THAT(need(needs, Effect::soft_shadows).reason, HasSubstr("scene.toml:6"));
+    EXPECT_THAT(need(needs, Effect::fresnel).reason, HasSubstr("material 'flint' of 'ball'"));
+    EXPECT_THAT(need(needs, Effect::fresnel).reason, HasSubstr("scene.toml:9"));
+    EXPECT_THAT(need(needs, Effect::patterns).reason, HasSubstr("'floor' of 'ground'"));
+    EXPECT_THAT(need(needs, Effect::nested_media).reason, HasSubstr("'ball' and 'drop'"));
+    EXPECT_THAT(need(needs, Effect::antialiasing).reason, HasSubstr("9 samples"));
+}
+
+TEST(Needs, of_a_plain_scene_are_few_and_the_others_have_a_reason) {
+    const auto needs = needs_of(R"(
+[lights.lamp]
+position = [3, 3, 6]
+shadows = false
+[materials.matt]
+[materials.glass]
+transmission = 0.9
+[generics.ball]
+shape = "sphere"
+material = "matt"
+)");
+    EffectSet expected;
+    expected.set(Effect::ambient).set(Effect::diffuse);
+    EXPECT_EQ(needed_effects(needs), expected);
+    for (const EffectNeed& n : needs) EXPECT_FALSE(n.reason.empty());
+    EXPECT_THAT(need(needs, Effect::shadows).reason, HasSubstr("shadows = false"));
+    EXPECT_THAT(need(needs, Effect::refraction).reason, HasSubstr("no drawn object transmits"));
+}
+
+TEST(Needs, a_wall_inside_a_compound_is_no_medium) {
+    const auto needs = needs_of(R"(
+[materials.stone]
+[materials.glass]
+transmission = 0.9
+[generics.ball]
+shape = "sphere"
+[generics.hole]
+shape = "cylinder"
+material = "glass"
+[compounds.block]
+is = "ball - hole"
+material = "stone"
+)");
+    EXPECT_FALSE(need(needs, Effect::refraction).needed);
+}
+
+TEST(Rays, of_a_kind_that_nothing_calls_for_are_exactly_none) {
+    SceneBuilder b;
+    SceneMaterial matt; // diffuse and ambient
+    b.light({2, 3, 6});
+    b.generic(Sphere<double>{}, Mat4d{1}, b.material(matt), "ball");
+    b.scene().lights[0].shadows = false;
+    b.scene().camera.width = b.scene().camera.height = 64;
+    for (const bool all : {false, true}) {
+        RenderOptions options;
+        options.all_effects = all;
+        const auto rays = render(b.open(), options).statistics.counters.rays;
+        EXPECT_EQ(rays[std::size_t(RayKind::eye)], 64U * 64U);
+        EXPECT_EQ(rays[std::size_t(RayKind::shadow)], 0U);
+        EXPECT_EQ(rays[std::size_t(RayKind::reflected)], 0U);
+        EXPECT_EQ(rays[std::size_t(RayKind::refracted)], 0U);
+    }
+}
+
+TEST(Words, are_a_list_or_changes_never_both) {
+    EffectSet needed;
+    needed.set(Effect::shadows).set(Effect::refraction);
+    EXPECT_EQ(parse_effects("auto", needed), needed);
+    EffectSet only;
+    only.set(Effect::fresnel);
+    EXPECT_EQ(parse_effects("fresnel", needed), only);
+    EffectSet changed;
+    changed.set(Effect::refraction).set(Effect::fresnel);
+    EXPECT_EQ(parse_effects("+fresnel,-shadows", needed), changed);
+    for (const char* wrong :
+         {"", "+", "fresnel,", "+fresnel,shadows", "fresnel,-shadows", "frensel", "+auto", ","})
+        EXPECT_THROW(static_cast<void>(parse_effects(wrong, needed)), std::invalid_argument) << wrong;
+    try {
+        static_cast<void>(parse_effects("+frensel", needed));
+    } catch (const std::invalid_argument& error) {
+        EXPECT_THAT(error.what(), HasSubstr("did you mean 'fresnel'?"));
+    }
+}
+
+TEST(Scene, says_by_a_complete_list_what_is_simulated) {
+    const auto path = std::filesystem::path(testing::TempDir()) / "chosen_effects.toml";
+    write_text_file(path, R"(
+[scene]
+effects = ["ambient", "diffuse", "refraction", "fresnel"]
+[lights.lamp]
+position = [3, 3, 6]
+[materials.glass]
+transmission = 0.9
+index = 1.5
+[generics.ball]
+shape = "sphere"
+material = "glass"
+)");
+    const Workbench bench = open(path);
+    EXPECT_FALSE(bench.scene.lights[0].shadows);
+    EXPECT_EQ(bench.scene.materials[0].mirror, Mirror::fresnel);
+    EXPECT_THAT(bench.scene.warnings,
+                testing::Contains(HasSubstr("not simulated, as it was asked: shadows")));
+    EXPECT_THAT(bench.scene.warnings,
+                testing::Contains(HasSubstr("nothing in the scene calls for it: fresnel")));
+    // The command's word is the last one.
+    EXPECT_TRUE(open(path, "auto").scene.lights[0].shadows);
+}
+
+} // namespace
+} // namespace rayscope::test

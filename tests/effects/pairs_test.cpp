@@ -1,0 +1,118 @@
+// Guards against two effects that disturb each other: every pair, on one scene.
+
+#include "tests/support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rayscope::test {
+namespace {
+
+// A glass ball with a drop in it, a mirror and a floor.
+Scene still_life() {
+    SceneBuilder b;
+    b.scene().camera.eye = {0, -6, 2};
+    b.scene().camera.up = {0, 0, 1};
+    b.scene().camera.width = 24;
+    b.scene().camera.height = 18;
+    b.scene().limits.max_depth = 5;
+    b.scene().limits.wavelengths = 3;
+    b.scene().background = {0.2, 0.3, 0.5};
+    b.light({3, -4, 6}, {0.8, 0.8, 0.7}).shadows = false;
+    SceneMaterial matt, clear = SceneBuilder::dark(), shiny;
+    clear.transmission = Colour{0.8};
+    clear.reflection = Colour{0.1};
+    clear.speed = 1 / 1.5;
+    shiny.specular = Colour{0.5};
+    const auto floor = b.material(matt), glass = b.material(clear), mirror = b.material(shiny);
+    clear.speed = 1 / 1.33;
+    b.generic(Plane<double>{}, translation({0, 0, -1}), floor, "floor");
+    b.generic(Sphere<double>{}, Mat4d{1}, glass, "ball");
+    b.generic(Sphere<double>{}, scaling(0.4), b.material(clear), "drop", 1);
+    b.generic(Cylinder<double>{}, translation({2, 1, 0}), mirror, "post");
+    return b.scene();
+}
+
+bool finite(const Image& image) {
+    return std::ranges::all_of(image.rgb, [](float x) { return std::isfinite(x) && x >= 0; });
+}
+
+TEST(Pairs, give_the_same_image_by_every_stage_and_any_number_of_threads) {
+    const auto count = effect_names.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = i; j < count; ++j) {
+            Scene scene = still_life();
+            (void)add_effect(Effect(i), scene);
+            (void)add_effect(Effect(j), scene);
+            const Workbench bench = make_workbench(scene);
+            const std::string what =
+                std::string(effect_names[i].name) + " and " + std::string(effect_names[j].name);
+            RenderOptions options;
+            options.threads = 1;
+            options.stage = stage_choice("scan");
+            const RenderResult result = render(bench, options);
+            EXPECT_TRUE(finite(result.image)) << what;
+            for (const char* stage : {"extents", "octree", "bvh", "eye=projective,shadow=light,other=bvh"}) {
+                options.threads = 3;
+                options.stage = stage_choice(stage);
+                EXPECT_EQ(hash(render(bench, options).image), hash(result.image)) << what << " by " << stage;
+            }
+        }
+    }
+}
+
+TEST(Pairs, taken_away_leave_what_was_there_before) {
+    for (std::size_t i = 0; i < effect_names.size(); ++i) {
+        const auto effect = Effect(i);
+        if (effect == Effect::ambient || effect == Effect::diffuse || effect == Effect::refraction ||
+            effect == Effect::reflection || effect == Effect::specular || effect == Effect::nested_media)
+            continue; // the scene has them
+        Scene scene = still_life();
+        const auto before = hash(render(make_workbench(scene), {}).image);
+        if (!add_effect(effect, scene)) continue;
+        if (effect != Effect::shadows) {
+            EXPECT_NE(hash(render(make_workbench(scene), {}).image), before) << effect_names[i].name;
+        }
+        take_away(effect, scene);
+        if (effect == Effect::fresnel || effect == Effect::patterns) continue; // other constants than before
+        EXPECT_EQ(hash(render(make_workbench(scene), {}).image), before) << effect_names[i].name;
+    }
+}
+
+TEST(Ledger, adds_up_to_the_colour_of_the_sample) {
+    for (std::size_t i = 0; i < effect_names.size(); ++i) {
+        Scene scene = still_life();
+        (void)add_effect(Effect(i), scene);
+        (void)add_effect(Effect::absorption, scene);
+        const Workbench bench = make_workbench(scene);
+        for (int x = 0; x < 24; x += 5) {
+            const Trace trace = trace_pixel(bench, x, 9);
+            const Ledger ledger = ledger_of(trace.rays);
+            Colour sum{0};
+            for (const auto& [source, light] : ledger.sources) sum += light;
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(sum[c], trace.colour[c], 1e-12) << effect_names[i].name;
+                EXPECT_NEAR(ledger.total[c], trace.colour[c], 1e-12);
+            }
+        }
+    }
+}
+
+TEST(Trace, of_a_sample_is_the_images) {
+    for (std::size_t i = 0; i < effect_names.size(); ++i) {
+        Scene scene = still_life();
+        if (Effect(i) == Effect::antialiasing || !add_effect(Effect(i), scene)) continue;
+        const Workbench bench = make_workbench(scene);
+        const Image image = render(bench, {}).image;
+        for (int y = 0; y < image.height; y += 4)
+            for (int x = 0; x < image.width; x += 3) {
+                const Colour colour = trace_pixel(bench, x, y).colour;
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_EQ(float(colour[c]), float(image.at(x, y)[c])) << effect_names[i].name;
+            }
+    }
+}
+
+} // namespace
+} // namespace rayscope::test

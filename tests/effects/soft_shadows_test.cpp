@@ -1,0 +1,78 @@
+// Guards against a penumbra of the wrong width, and against noise that changes from run to run.
+
+#include "tests/support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rayscope::test {
+namespace {
+
+constexpr double light_height = 10, edge_height = 4, half_width = 1;
+
+// A wall's edge over a floor, lit by a light of a given shape: how much of it the floor at x sees.
+double seen_at(double x, LightArea::Shape shape, int samples) {
+    SceneMaterial matt = SceneBuilder::dark();
+    matt.diffuse = Colour{1};
+    SceneBuilder b;
+    SceneLight& lamp = b.light({0, 0, light_height});
+    lamp.area.shape = shape;
+    lamp.area.radius = half_width;
+    lamp.area.u = {half_width, 0, 0};
+    lamp.area.v = {0, half_width, 0};
+    if (shape == LightArea::Shape::disk) {
+        lamp.area.u = {1, 0, 0};
+        lamp.area.v = {0, 1, 0};
+    }
+    lamp.area.samples = samples;
+    b.generic(Plane<double>{}, Mat4d{1}, b.material(matt), "floor");
+    // Hides x < 0 at its height: thin, and far larger than the light.
+    b.generic(Cube<double>{}, translation({-50, 0, edge_height}) * scaling(50, 50, 0.001), b.material(matt),
+              "wall");
+    const Trace trace = trace_ray(b.open(), {{x, 0, 1}, {0, 0, -1}});
+    double seen = 0;
+    for (const Event& event : trace.rays[0].events)
+        if (const auto* lit = std::get_if<LightLit>(&event)) {
+            EXPECT_EQ(lit->samples, samples);
+            seen += lit->visibility.x / samples;
+        }
+    return seen;
+}
+
+TEST(Penumbra, is_as_wide_as_similar_triangles_make_it) {
+    // The light at ±1, six above the edge: beneath it ± 4/6.
+    const double reach = half_width * edge_height / (light_height - edge_height);
+    constexpr int samples = 256;
+    for (const auto shape : {LightArea::Shape::rectangle, LightArea::Shape::disk}) {
+        EXPECT_EQ(seen_at(-reach * 1.01, shape, samples), 0);
+        EXPECT_EQ(seen_at(reach * 1.01, shape, samples), 1);
+        EXPECT_GT(seen_at(-reach * 0.9, shape, samples), 0);
+        EXPECT_LT(seen_at(reach * 0.9, shape, samples), 1);
+        for (const double x : {-0.5, 0.0, 0.25, 0.5}) {
+            const double s = x / reach;
+            const double expected = shape == LightArea::Shape::rectangle
+                                        ? (1 + s) / 2
+                                        : 0.5 + (s * std::sqrt(1 - s * s) + std::asin(s)) / 3.14159265358979;
+            EXPECT_NEAR(seen_at(x, shape, samples), expected, 2.0 / std::sqrt(samples)) << x;
+        }
+    }
+}
+
+TEST(Penumbra, of_a_sphere_is_that_of_the_disk_it_shows) {
+    EXPECT_NEAR(seen_at(0.2, LightArea::Shape::sphere, 256), seen_at(0.2, LightArea::Shape::disk, 256), 0.1);
+}
+
+TEST(AreaLight, of_one_sample_is_the_point_light) {
+    SceneBuilder b;
+    SceneLight& lamp = b.light({1, 2, 5});
+    lamp.area.shape = LightArea::Shape::sphere;
+    lamp.area.radius = 0.5;
+    SceneMaterial matt;
+    b.generic(Sphere<double>{}, Mat4d{1}, b.material(matt), "ball");
+    const Workbench area = b.open();
+    EXPECT_EQ(area.world.effects, EffectMask::classic);
+    b.scene().lights[0].area = {};
+    EXPECT_EQ(hash(render(area, {}).image), hash(render(b.open(), {}).image));
+}
+
+} // namespace
+} // namespace rayscope::test

@@ -1,0 +1,92 @@
+// rayscope explain: which effects a scene calls for, and what they cost.
+
+#include "visualizer/cli/commands.hpp"
+#include "visualizer/cli/explain_text.hpp"
+#include "visualizer/cli/failure.hpp"
+#include "visualizer/cli/interrupts.hpp"
+#include "visualizer/cli/progress.hpp"
+#include "visualizer/cli/scene_choice.hpp"
+#include "visualizer/cli/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace rayscope::cli {
+namespace {
+
+// An image of the scene's shape, small enough to be made many times.
+Size usual_size(const Camera& camera) {
+    constexpr int longer_side = 192;
+    const int longest = std::max(camera.width, camera.height);
+    if (longest <= longer_side) return {camera.width, camera.height};
+    const auto scaled = [&](int side) { return std::max(1, side * longer_side / longest); };
+    return {scaled(camera.width), scaled(camera.height)};
+}
+
+RenderOptions render_options(const Size& size, int threads) {
+    RenderOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.threads = threads;
+    options.stop = &stop_asked_for;
+    return options;
+}
+
+// One picture for each effect: with it, without it, and the difference.
+void write_strips(const EffectCosts& costs, const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    for (const EffectCost& cost : costs.effects) {
+        const std::string name(effect_names[std::size_t(cost.effect)].name);
+        const auto path = folder / (name + ".png");
+        write_image(strip(costs, cost), path);
+        std::puts(harmless(path.string()).c_str());
+    }
+}
+
+} // namespace
+
+int explain(const ExplainOptions& options) {
+    const Workbench bench = make_workbench(load_with_effects(find_scene(options.scene), options.effects));
+    print_warnings(bench.scene);
+    const Paint paint(wants_colours(STDOUT_FILENO));
+    Page page(paint);
+    page.rule(paint.bold(harmless(bench.scene.file)));
+    add_effects(page, bench);
+
+    catch_interrupts();
+    const Size size = options.size.value_or(usual_size(bench.scene.camera));
+    const RenderOptions tracing = render_options(size, options.threads);
+    const RenderResult result = render(bench, tracing);
+    if (!result.complete) return interrupted;
+    add_rays(page, bench, result);
+    if (options.energy) {
+        const auto name = [&](Id object) {
+            return object_title(bench.scene, bench.scene.drawn[std::size_t(object)]);
+        };
+        add_ledger(page, ledger(bench, size.width, size.height), name, Numbers(3));
+    }
+    if (options.cost) {
+        EffectCostOptions measuring;
+        measuring.render = tracing;
+        measuring.rounds = options.rounds;
+        EffectCosts costs;
+        {
+            Progress progress("effects");
+            measuring.render.progress = [&](double share) { progress.show(share); };
+            costs =
+                effect_costs(bench.scene, needed_effects(effect_needs(bench.scene, bench.world)), measuring);
+        }
+        if (!costs.complete) {
+            std::fputs("rayscope: stopped; nothing was written\n", stderr);
+            return interrupted;
+        }
+        add_costs(page, costs);
+        if (options.output) write_strips(costs, *options.output);
+    }
+    std::fputs(page.text().c_str(), stdout);
+    return done;
+}
+
+} // namespace rayscope::cli
