@@ -1,0 +1,109 @@
+#include "exercises/grader/reference.hpp"
+
+#include "core/scene/input_error.hpp"
+#include "exercises/grader/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rayscope::exercises {
+namespace {
+
+[[noreturn]] void fail(const Exercise& exercise, const std::string& message) {
+    throw InputError(exercise.cases().string(), {}, message);
+}
+
+std::filesystem::path compiled(const Toolchain& toolchain, const Exercise& exercise) {
+    const Compiled built = toolchain.kept(reference_unit(exercise));
+    if (!built.program.empty()) return built.program;
+    for (const Diagnostic& diagnostic : built.diagnostics)
+        if (diagnostic.error)
+            throw InputError(exercise.cases().string(), {diagnostic.line, diagnostic.column}, diagnostic.message);
+    throw InputError(exercise.folder.string(), {},
+                     "the cases, the solution and the misconceptions don't compile together: " + built.problem);
+}
+
+Case read_case(const Exercise& exercise, const Value& group, const Value& about, const Value& call) {
+    Case made;
+    const auto& name = std::get<std::string>(group.content);
+    const auto found = std::ranges::find(exercise.groups, name, &Group::name);
+    if (found == exercise.groups.end())
+        fail(exercise, fmt::format("a case belongs to group '{}', which exercise.toml does not have", name));
+    made.group = std::size_t(found - exercise.groups.begin());
+    made.about = std::get<std::string>(about.content);
+    made.call = std::get<std::string>(call.content);
+    auto values = decoded_sequence(made.call);
+    if (!values || values->empty()) fail(exercise, "a case's arguments are no values");
+    made.function = std::size_t(std::get<std::int64_t>(values->front().content));
+    if (made.function >= exercise.functions.size())
+        fail(exercise, fmt::format("a case calls function {}, but there are {}", made.function, exercise.functions.size()));
+    made.arguments.assign(std::make_move_iterator(values->begin() + 1), std::make_move_iterator(values->end()));
+    return made;
+}
+
+std::vector<Case> listed(CaseRunner& runner, const Exercise& exercise, std::uint64_t seed) {
+    const Outcome outcome = runner.run({{"cases", std::to_string(seed)}, ""});
+    const auto* list = std::get_if<List>(&outcome.value.content);
+    if (outcome.kind != OutcomeKind::answered || list == nullptr || list->size() % 3 != 0)
+        fail(exercise, fmt::format("cases() of seed {} gave {} {}", seed, text_of(outcome), outcome.printed));
+    std::vector<Case> cases;
+    for (std::size_t i = 0; i + 2 < list->size(); i += 3)
+        cases.push_back(read_case(exercise, (*list)[i], (*list)[i + 1], (*list)[i + 2]));
+    // In the order of exercise.toml, whatever order they were made in.
+    std::ranges::stable_sort(cases, {}, &Case::group);
+    for (std::size_t i = 0; i < exercise.groups.size(); ++i)
+        if (std::ranges::find(cases, i, &Case::group) == cases.end())
+            fail(exercise, fmt::format("group '{}' has no case", exercise.groups[i].name));
+    return cases;
+}
+
+} // namespace
+
+Reference make_reference(const Toolchain& toolchain, const Exercise& exercise, std::uint64_t seed) {
+    Reference reference;
+    reference.exercise = &exercise;
+    reference.seed = seed;
+    reference.program = compiled(toolchain, exercise);
+    CaseRunner lister(toolchain, reference.program);
+    reference.cases = listed(lister, exercise, seed);
+    for (std::size_t variant = 0; variant <= exercise.misconceptions.size(); ++variant) {
+        CaseRunner runner(toolchain, reference.program); // of its own: one that runs out of time is not waited for long
+        std::vector<Outcome>& outcomes = reference.outcomes.emplace_back();
+        for (const Case& asked : reference.cases)
+            outcomes.push_back(runner.run({{"answer", std::to_string(variant)}, asked.call}));
+    }
+    for (std::size_t i = 0; i < reference.cases.size(); ++i) {
+        const Outcome& right = reference.outcomes[0][i];
+        if (right.kind != OutcomeKind::answered)
+            fail(exercise, fmt::format("the solution has no answer to '{}': {} {}", reference.cases[i].about,
+                                       text_of(right), right.printed));
+    }
+    return reference;
+}
+
+std::string judged(CaseRunner& reference, const Case& asked, const Value& answer) {
+    const Outcome outcome = reference.run({{"judge"}, asked.call + encoded(answer)});
+    if (const auto* complaint = std::get_if<std::string>(&outcome.value.content);
+        complaint != nullptr && outcome.kind == OutcomeKind::answered)
+        return *complaint;
+    return "an answer of another shape";
+}
+
+std::optional<ShownCase> shown(const Toolchain& toolchain, const Reference& reference, const Case& asked) {
+    if (!reference.exercise->shown) return std::nullopt;
+    CaseRunner runner(toolchain, reference.program);
+    const Outcome outcome = runner.run({{"show"}, asked.call});
+    const auto* record = std::get_if<Record>(&outcome.value.content);
+    if (outcome.kind != OutcomeKind::answered || record == nullptr || record->fields.size() != 2) return std::nullopt;
+    ShownCase result;
+    result.scene = std::get<std::string>(record->fields[0].second.content);
+    std::vector<std::string> numbers;
+    for (const auto& [end, vector] : std::get<Record>(record->fields[1].second.content).fields)
+        for (const auto& [axis, number] : std::get<Record>(vector.content).fields)
+            numbers.push_back(fmt::to_string(std::get<double>(number.content)));
+    for (const std::string& number : numbers) result.ray += (result.ray.empty() ? "" : ",") + number;
+    return result;
+}
+
+} // namespace rayscope::exercises
