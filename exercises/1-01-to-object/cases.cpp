@@ -8,9 +8,12 @@ void cases(Cases& c) {
     c.group("edge");
     c.add("scale", ray(), Cases::scale(dvec3(c.between(2, 4))));
     c.add("unequal scale", ray(), Cases::scale({c.between(2, 4), c.between(0.2, 0.5), c.between(1.5, 3)}));
-    c.add("translation, rotation, scale", ray(), c.translation() * c.rotation() * Cases::scale(c.vector(0.3, 3)));
+    c.add("translation, rotation, scale", ray(),
+          c.translation() * c.rotation() * Cases::scale(c.vector(0.3, 3)));
     c.group("hard");
     c.add("shear", ray(), c.translation() * c.shear());
     c.add("mirror", ray(), c.rotation() * Cases::scale({-c.between(1, 2), 1, c.between(0.5, 1)}));
     c.add("scale of 1e-4", ray(), c.translation() * Cases::scale(dvec3(1e-4)));
 }
+
+Shown show(const Ray& r, const dmat4& M) { return {scene(generic("ball", "sphere", M)), r}; }

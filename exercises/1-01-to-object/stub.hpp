@@ -2,6 +2,4 @@
 using namespace rx;
 
 // The ray r, as seen by the generic with matrix M. t means the same in both spaces.
-Ray toObject(const Ray& r, const dmat4& M) {
-    todo();
-}
+Ray toObject(const Ray& r, const dmat4& M) { todo(); }

@@ -2,22 +2,6 @@
 
 namespace {
 
-const char* const scene = R"([camera]
-eye = [4, 3, 6]
-field_of_view = 40
-
-[lights.lamp]
-position = [4, 5, 6]
-
-[materials.matt]
-ambient = [0.1, 0.05, 0.03]
-diffuse = [0.8, 0.4, 0.2]
-
-[generics.ball]
-shape = "sphere"
-material = "matt"
-)";
-
 /// A ray whose line passes the centre at `distance`; it starts `before` in front of the nearest point.
 Ray passing(Cases& c, double distance, double before, double length) {
     const dvec3 d = c.unit();
@@ -38,7 +22,8 @@ Ray tangent(Cases& c, double length) {
 
 void cases(Cases& c) {
     c.group("basic");
-    for (int i = 0; i < 3; ++i) c.add("through the sphere", passing(c, c.between(0, 0.9), c.between(2, 6), 1));
+    for (int i = 0; i < 3; ++i)
+        c.add("through the sphere", passing(c, c.between(0, 0.9), c.between(2, 6), 1));
     c.add("past the sphere", passing(c, c.between(1.2, 3), c.between(2, 6), 1));
     c.group("edge");
     c.add("|d| = 2", passing(c, c.between(0, 0.9), c.between(2, 6), 2));
@@ -54,4 +39,4 @@ void cases(Cases& c) {
     c.add("starts on the sphere", Ray{c.unit(), c.between(1, 3) * c.unit()});
 }
 
-Shown show(const Ray& r) { return {scene, r}; }
+Shown show(const Ray& r) { return {scene(generic("ball", "sphere")), r}; }

@@ -2,6 +2,4 @@
 using namespace rx;
 
 // Where the line of r is inside the unit sphere: one span, or none.
-Spans sphere(const Ray& r) {
-    todo();
-}
+Spans sphere(const Ray& r) { todo(); }

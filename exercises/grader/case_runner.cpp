@@ -16,7 +16,8 @@ constexpr std::chrono::seconds patience{30}; // with the runner itself, which ha
 // Exit codes of the harness (harness/wire.cpp).
 constexpr int not_yet_written = 77, threw = 78;
 
-std::vector<std::string> runner_command(const Toolchain& toolchain, const fs::path& program, CaseRunner::Trust trust) {
+std::vector<std::string> runner_command(const Toolchain& toolchain, const fs::path& program,
+                                        CaseRunner::Trust trust) {
     const bool own = trust == CaseRunner::Trust::own_code;
     const auto command = [&](const fs::path& runner, const fs::path& what) {
         return std::vector<std::string>{runner.string(), what.string(), cpu_milliseconds, wall_milliseconds,
@@ -129,7 +130,8 @@ std::string text_of(const Outcome& outcome, int digits) {
     case OutcomeKind::threw: return "an exception";
     case OutcomeKind::crashed: return "a crash (" + signal_text(outcome.detail) + ")";
     case OutcomeKind::timed_out: return "no answer within 2 seconds";
-    case OutcomeKind::ended_early: return fmt::format("no answer: the program ended itself (exit code {})", outcome.detail);
+    case OutcomeKind::ended_early:
+        return fmt::format("no answer: the program ended itself (exit code {})", outcome.detail);
     case OutcomeKind::no_value: return "bytes that are no answer";
     case OutcomeKind::too_much: return "output without end";
     case OutcomeKind::unsteady: return "another answer when it is asked again";

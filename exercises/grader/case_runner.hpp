@@ -12,14 +12,14 @@ namespace rayscope::exercises {
 
 enum class OutcomeKind {
     answered,
-    not_written,   ///< it stopped at todo()
-    threw,         ///< an exception left the function
-    crashed,       ///< a signal ended the program
-    timed_out,     ///< more than two seconds
-    ended_early,   ///< the program ended itself without an answer, or with an exit code
-    no_value,      ///< what came back is no value
-    too_much,      ///< it wrote without end
-    unsteady,      ///< the same call had different answers
+    not_written, ///< it stopped at todo()
+    threw,       ///< an exception left the function
+    crashed,     ///< a signal ended the program
+    timed_out,   ///< more than two seconds
+    ended_early, ///< the program ended itself without an answer, or with an exit code
+    no_value,    ///< what came back is no value
+    too_much,    ///< it wrote without end
+    unsteady,    ///< the same call had different answers
 };
 
 /// How one call ended.

@@ -82,7 +82,8 @@ Child::Child(const std::vector<std::string>& words, const ChildLimits& limits, E
     ::close(out[1]);
     input_ = in[1];
     output_ = out[0];
-    if (process_ < 0) throw std::runtime_error(fmt::format("can't start {}: {}", words[0], std::strerror(error)));
+    if (process_ < 0)
+        throw std::runtime_error(fmt::format("can't start {}: {}", words[0], std::strerror(error)));
 }
 
 Child::~Child() {

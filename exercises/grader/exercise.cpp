@@ -81,8 +81,9 @@ void read_tolerance(const TomlTable& table, Tolerance& tolerance) {
 
 void read_toml_file(const SourceText& source, const toml::table& document, Exercise& exercise) {
     const TomlTable top(source, document, "");
-    top.allow_only("an exercise", {"title", "chapter", "points", "function", "functions", "prerequisites",
-                                   "hints", "picture", "formula", "tolerance", "group", "misconception", "predict"});
+    top.allow_only("an exercise",
+                   {"title", "chapter", "points", "function", "functions", "prerequisites", "hints",
+                    "picture", "scene", "formula", "tolerance", "group", "misconception", "predict"});
     top.allow_one("function", "functions");
     const Place start{1, 1};
     exercise.title = top.require("title", start, "title = \"Unit sphere\"").string();
@@ -97,6 +98,7 @@ void read_toml_file(const SourceText& source, const toml::table& document, Exerc
     exercise.prerequisites = strings(top, "prerequisites");
     exercise.hints = strings(top, "hints");
     if (const auto picture = top.find("picture")) exercise.picture = picture->string();
+    if (const auto scene = top.find("scene")) exercise.scene = scene->string();
     if (const auto formula = top.find("formula")) exercise.formula = formula->string();
     read_tolerance(top, exercise.tolerance);
     const Place groups = top.require("group", start, "[[group]]").place();
@@ -171,8 +173,8 @@ const Exercise& find_exercise(const std::vector<Exercise>& catalogue, const std:
     std::string known;
     for (const Exercise& exercise : catalogue) known += "\n  " + exercise.id;
     throw InputError(name.empty() ? "NAME" : name, {},
-                     fmt::format("{}; expected one of:{}", found.empty() ? "no such exercise" : "fits several exercises",
-                                 known));
+                     fmt::format("{}; expected one of:{}",
+                                 found.empty() ? "no such exercise" : "fits several exercises", known));
 }
 
 } // namespace rayscope::exercises

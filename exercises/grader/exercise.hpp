@@ -41,6 +41,7 @@ struct Exercise {
     std::vector<Function> functions;
     std::vector<std::string> prerequisites, hints;
     std::string picture; ///< what the recorded ray shows
+    std::string scene;   ///< a shipped scene that shows it, where cases have none of their own
     std::string formula; ///< which of the tracer's formulas it can stand for, if any
     Tolerance tolerance;
     std::vector<Group> groups;

@@ -37,9 +37,7 @@ void count_points(const Reference& reference, Grade& result) {
 
 } // namespace
 
-bool Grade::all_right() const {
-    return compiled && std::ranges::all_of(cases, &CaseResult::right);
-}
+bool Grade::all_right() const { return compiled && std::ranges::all_of(cases, &CaseResult::right); }
 
 Grade grade(const Toolchain& toolchain, const Reference& reference, const Compiled& answers,
             CaseRunner::Trust trust) {
@@ -59,8 +57,9 @@ Grade grade(const Toolchain& toolchain, const Reference& reference, const Compil
                 verdict.complaint = judged(judge, asked, verdict.outcome.value);
                 verdict.right = verdict.complaint.empty();
             } else {
-                verdict.right = !has_nan(verdict.outcome.value) &&
-                                same(verdict.outcome.value, reference.outcomes[0][i].value, exercise.tolerance);
+                verdict.right =
+                    !has_nan(verdict.outcome.value) &&
+                    same(verdict.outcome.value, reference.outcomes[0][i].value, exercise.tolerance);
             }
         }
         if (!result.all_right()) result.misconception = recognised(reference, result.cases);

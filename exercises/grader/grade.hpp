@@ -18,10 +18,10 @@ struct GroupResult {
 
 struct Grade {
     bool compiled = false;
-    std::vector<Diagnostic> diagnostics; ///< of the student's own lines
-    std::string problem;                 ///< why it did not compile, where no line says it
-    std::vector<CaseResult> cases;       ///< as in the reference; empty if it did not compile
-    std::vector<GroupResult> groups;     ///< as in the exercise
+    std::vector<Diagnostic> diagnostics;      ///< of the student's own lines
+    std::string problem;                      ///< why it did not compile, where no line says it
+    std::vector<CaseResult> cases;            ///< as in the reference; empty if it did not compile
+    std::vector<GroupResult> groups;          ///< as in the exercise
     std::optional<std::size_t> misconception; ///< index into Exercise::misconceptions
     double score = 0;
 

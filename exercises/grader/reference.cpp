@@ -19,9 +19,11 @@ std::filesystem::path compiled(const Toolchain& toolchain, const Exercise& exerc
     if (!built.program.empty()) return built.program;
     for (const Diagnostic& diagnostic : built.diagnostics)
         if (diagnostic.error)
-            throw InputError(exercise.cases().string(), {diagnostic.line, diagnostic.column}, diagnostic.message);
+            throw InputError(exercise.cases().string(), {diagnostic.line, diagnostic.column},
+                             diagnostic.message);
     throw InputError(exercise.folder.string(), {},
-                     "the cases, the solution and the misconceptions don't compile together: " + built.problem);
+                     "the cases, the solution and the misconceptions don't compile together: " +
+                         built.problem);
 }
 
 Case read_case(const Exercise& exercise, const Value& group, const Value& about, const Value& call) {
@@ -37,8 +39,10 @@ Case read_case(const Exercise& exercise, const Value& group, const Value& about,
     if (!values || values->empty()) fail(exercise, "a case's arguments are no values");
     made.function = std::size_t(std::get<std::int64_t>(values->front().content));
     if (made.function >= exercise.functions.size())
-        fail(exercise, fmt::format("a case calls function {}, but there are {}", made.function, exercise.functions.size()));
-    made.arguments.assign(std::make_move_iterator(values->begin() + 1), std::make_move_iterator(values->end()));
+        fail(exercise, fmt::format("a case calls function {}, but there are {}", made.function,
+                                   exercise.functions.size()));
+    made.arguments.assign(std::make_move_iterator(values->begin() + 1),
+                          std::make_move_iterator(values->end()));
     return made;
 }
 
@@ -68,7 +72,8 @@ Reference make_reference(const Toolchain& toolchain, const Exercise& exercise, s
     CaseRunner lister(toolchain, reference.program);
     reference.cases = listed(lister, exercise, seed);
     for (std::size_t variant = 0; variant <= exercise.misconceptions.size(); ++variant) {
-        CaseRunner runner(toolchain, reference.program); // of its own: one that runs out of time is not waited for long
+        CaseRunner runner(toolchain,
+                          reference.program); // of its own: one that runs out of time is not waited for long
         std::vector<Outcome>& outcomes = reference.outcomes.emplace_back();
         for (const Case& asked : reference.cases)
             outcomes.push_back(runner.run({{"answer", std::to_string(variant)}, asked.call}));
@@ -95,7 +100,8 @@ std::optional<ShownCase> shown(const Toolchain& toolchain, const Reference& refe
     CaseRunner runner(toolchain, reference.program);
     const Outcome outcome = runner.run({{"show"}, asked.call});
     const auto* record = std::get_if<Record>(&outcome.value.content);
-    if (outcome.kind != OutcomeKind::answered || record == nullptr || record->fields.size() != 2) return std::nullopt;
+    if (outcome.kind != OutcomeKind::answered || record == nullptr || record->fields.size() != 2)
+        return std::nullopt;
     ShownCase result;
     result.scene = std::get<std::string>(record->fields[0].second.content);
     std::vector<std::string> numbers;

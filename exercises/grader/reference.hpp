@@ -14,7 +14,7 @@ namespace rayscope::exercises {
 struct Case {
     std::size_t group = 0; ///< index into Exercise::groups
     std::string about;
-    std::string call;      ///< encoded: the function's number and the arguments
+    std::string call; ///< encoded: the function's number and the arguments
     std::size_t function = 0;
     List arguments;
 };
@@ -31,7 +31,8 @@ struct Reference {
 
 /// Compiles what is not compiled yet, and runs it. The exercise must outlive it.
 /// Throws InputError where the exercise's own files are wrong.
-[[nodiscard]] Reference make_reference(const Toolchain& toolchain, const Exercise& exercise, std::uint64_t seed);
+[[nodiscard]] Reference make_reference(const Toolchain& toolchain, const Exercise& exercise,
+                                       std::uint64_t seed);
 
 /// What is wrong with a value that a judged exercise's function returned; empty if nothing is.
 [[nodiscard]] std::string judged(CaseRunner& reference, const Case& asked, const Value& answer);
@@ -40,6 +41,7 @@ struct Reference {
 struct ShownCase {
     std::string scene, ray; ///< the ray as --ray takes it
 };
-[[nodiscard]] std::optional<ShownCase> shown(const Toolchain& toolchain, const Reference& reference, const Case& asked);
+[[nodiscard]] std::optional<ShownCase> shown(const Toolchain& toolchain, const Reference& reference,
+                                             const Case& asked);
 
 } // namespace rayscope::exercises

@@ -15,8 +15,18 @@ void add(std::vector<std::string>& words, std::initializer_list<std::string> mor
 }
 
 std::vector<std::string> own_namespaces() {
-    return {"bwrap",     "--unshare-all", "--unshare-user", "--uid", "65534",         "--gid",      "65534",
-            "--cap-drop", "ALL",          "--clearenv",     "--die-with-parent", "--new-session"};
+    return {"bwrap",
+            "--unshare-all",
+            "--unshare-user",
+            "--uid",
+            "65534",
+            "--gid",
+            "65534",
+            "--cap-drop",
+            "ALL",
+            "--clearenv",
+            "--die-with-parent",
+            "--new-session"};
 }
 
 void add_binds(std::vector<std::string>& words, const std::vector<Bind>& binds) {
@@ -25,7 +35,8 @@ void add_binds(std::vector<std::string>& words, const std::vector<Bind>& binds) 
 }
 
 void add_system(std::vector<std::string>& words) {
-    add(words, {"--ro-bind", "/usr", "/usr", "--dev-bind", "/dev/null", "/dev/null", "--setenv", "PATH", "/usr/bin:/bin"});
+    add(words, {"--ro-bind", "/usr", "/usr", "--dev-bind", "/dev/null", "/dev/null", "--setenv", "PATH",
+                "/usr/bin:/bin"});
     for (const char* name : {"/bin", "/lib", "/lib32", "/lib64"}) {
         std::error_code ignored;
         if (fs::is_symlink(name, ignored))
@@ -72,7 +83,8 @@ std::vector<std::string> confined_tools(const std::vector<Bind>& binds, const fs
     std::vector<std::string> words = own_namespaces();
     add_system(words);
     add_binds(words, binds);
-    add(words, {"--size", temporary_bytes, "--tmpfs", "/tmp", "--remount-ro", "/", "--chdir", folder.string()});
+    add(words,
+        {"--size", temporary_bytes, "--tmpfs", "/tmp", "--remount-ro", "/", "--chdir", folder.string()});
     add_command(words, command);
     return words;
 }

@@ -42,7 +42,8 @@ const std::vector<std::string> flags{"-std=c++20",
                                      "-pipe"};
 const std::vector<std::string> sanitizers{"-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"};
 
-constexpr const char* harness_files[] = {"rx.hpp", "wire.hpp", "cases.hpp", "wire.cpp", "answer_main.cpp", "reference_main.cpp"};
+constexpr const char* harness_files[] = {"rx.hpp",   "wire.hpp",        "cases.hpp",         "scene_text.hpp",
+                                         "wire.cpp", "answer_main.cpp", "reference_main.cpp"};
 
 std::string hash_of(const std::string& text) {
     return fmt::format("{:016x}", Fnv1a().add(text.data(), text.size()).value());
@@ -51,8 +52,7 @@ std::string hash_of(const std::string& text) {
 std::string compiler_version() {
     Child child({compiler, "--version"}, {}, Child::Errors::with_output);
     const auto ended = child.finish(most_output, compile_wall);
-    if (!ended || ended->code != 0)
-        throw std::runtime_error("no compiler: g++ is needed (package g++)");
+    if (!ended || ended->code != 0) throw std::runtime_error("no compiler: g++ is needed (package g++)");
     return ended->output;
 }
 
@@ -73,7 +73,8 @@ private:
 };
 
 std::vector<Diagnostic> diagnostics_of(const std::string& output, const std::string& file) {
-    static const std::regex pattern(R"re(^([^:]+):(\d{1,7}):(\d{1,7}): (fatal error|error|warning): (.*)$)re");
+    static const std::regex pattern(
+        R"re(^([^:]+):(\d{1,7}):(\d{1,7}): (fatal error|error|warning): (.*)$)re");
     std::vector<Diagnostic> found;
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);) {
@@ -88,14 +89,16 @@ std::vector<Diagnostic> diagnostics_of(const std::string& output, const std::str
 /// What the linker or the compiler says where no line of the student's own is named.
 std::string problem_of(const std::string& output, int code) {
     static const std::regex undefined(R"re(undefined reference to `([^']{1,400})')re"),
-        twice(R"re(multiple definition of `([^']{1,400})')re"), any(R"re((?:^|\n)[^\n]{0,400}error: ([^\n]{0,400}))re");
+        twice(R"re(multiple definition of `([^']{1,400})')re"),
+        any(R"re((?:^|\n)[^\n]{0,400}error: ([^\n]{0,400}))re");
     const std::string text = output.substr(0, most_output);
     std::smatch match;
     if (std::regex_search(text, match, twice))
         return fmt::format("the file defines {}, which is there already", match[1].str());
     if (std::regex_search(text, match, undefined))
-        return fmt::format("the file does not define {} (a different type of a parameter makes a different function)",
-                           match[1].str());
+        return fmt::format(
+            "the file does not define {} (a different type of a parameter makes a different function)",
+            match[1].str());
     if (text.find("cc1plus: out of memory") != std::string::npos || text.find("Killed") != std::string::npos)
         return "the compiler needed more memory or time than it is given";
     if (std::regex_search(text, match, any)) return match[1];
@@ -121,7 +124,8 @@ PrivateFolder::PrivateFolder(const fs::path& beside) {
     fs::create_directories(beside);
     std::string name = (beside / "work-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
-        throw std::runtime_error(fmt::format("can't make a folder in {}: {}", beside.string(), std::strerror(errno)));
+        throw std::runtime_error(
+            fmt::format("can't make a folder in {}: {}", beside.string(), std::strerror(errno)));
     path_ = name;
 }
 PrivateFolder::~PrivateFolder() {
@@ -146,7 +150,8 @@ std::string Toolchain::run_compiler(const std::vector<std::string>& arguments, c
     if (safety_ == Safety::sandboxed)
         command = confined_tools({{parts(), "/rx"}, {work, "/work", true}}, "/work", command);
     else
-        command.insert(command.begin(), {"env", "-C", work.string(), "-u", "CPATH", "-u", "CPLUS_INCLUDE_PATH"});
+        command.insert(command.begin(),
+                       {"env", "-C", work.string(), "-u", "CPATH", "-u", "CPLUS_INCLUDE_PATH"});
     Child child(command, {compile_seconds, compile_memory, most_bytes}, Child::Errors::with_output);
     const auto ended = child.finish(most_output, compile_wall);
     code = ended ? ended->code : -1;
@@ -167,7 +172,8 @@ void Toolchain::build_parts(const fs::path& harness) {
         words.insert(words.end(), {"-I" + place, "-o", result});
         int code = 0;
         const std::string output = run_compiler(words, work.path(), parts_bytes, code);
-        if (code != 0) throw std::runtime_error("can't compile what exercises need (g++, libglm-dev):\n" + output);
+        if (code != 0)
+            throw std::runtime_error("can't compile what exercises need (g++, libglm-dev):\n" + output);
         fs::rename(work.path() / result, parts() / result);
     };
     for (const char* name : {"wire", "answer_main", "reference_main"})
@@ -186,16 +192,17 @@ Compiled Toolchain::compile(const Unit& unit, const fs::path& to) const {
         words.insert(words.end(), sanitizers.begin(), sanitizers.end());
         words.insert(words.end(), {place + "/wire.cpp", place + "/answer_main.cpp"});
     } else {
-        words.insert(words.end(),
-                     {"-static", place + "/wire.o", place + (unit.reference ? "/reference_main.o" : "/answer_main.o")});
+        words.insert(words.end(), {"-static", place + "/wire.o",
+                                   place + (unit.reference ? "/reference_main.o" : "/answer_main.o")});
     }
     int code = 0;
     const std::string output = run_compiler(words, work.path(), program_bytes, code);
     Compiled result;
     result.diagnostics = diagnostics_of(output, unit.about);
     if (code == 0 && fs::is_regular_file(fs::symlink_status(work.path() / "program"))) {
-        fs::permissions(work.path() / "program", fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
-                                                     fs::perms::others_read | fs::perms::others_exec);
+        fs::permissions(work.path() / "program", fs::perms::owner_all | fs::perms::group_read |
+                                                     fs::perms::group_exec | fs::perms::others_read |
+                                                     fs::perms::others_exec);
         fs::rename(work.path() / "program", to);
         result.program = to;
         return result;

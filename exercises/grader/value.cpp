@@ -160,9 +160,8 @@ bool same(const Value& a, const Value& b, const Tolerance& tolerance) {
     if (const auto* number = std::get_if<double>(&a.content))
         return close(*number, std::get<double>(b.content), tolerance);
     if (const auto* list = std::get_if<List>(&a.content))
-        return std::ranges::equal(*list, std::get<List>(b.content), [&](const Value& x, const Value& y) {
-            return same(x, y, tolerance);
-        });
+        return std::ranges::equal(*list, std::get<List>(b.content),
+                                  [&](const Value& x, const Value& y) { return same(x, y, tolerance); });
     if (const auto* record = std::get_if<Record>(&a.content))
         return std::ranges::equal(record->fields, std::get<Record>(b.content).fields,
                                   [&](const auto& x, const auto& y) {

@@ -38,15 +38,16 @@ struct Attempt {
     std::string name;
     Compiled built;
 };
-Attempt attempt(const Toolchain& toolchain, const Exercise& exercise, std::string name, const std::string& code,
-                Problems& problems, bool sanitized = false) {
+Attempt attempt(const Toolchain& toolchain, const Exercise& exercise, std::string name,
+                const std::string& code, Problems& problems, bool sanitized = false) {
     Attempt made{std::move(name), toolchain.kept(answer_unit(exercise, code, sanitized))};
     if (made.built.program.empty())
         problems.add(fmt::format("{} does not compile: {}", made.name, compile_text(made.built)));
     return made;
 }
 
-void check_stub(const Toolchain& toolchain, const Reference& reference, const Attempt& stub, Problems& problems) {
+void check_stub(const Toolchain& toolchain, const Reference& reference, const Attempt& stub,
+                Problems& problems) {
     const Grade found = grade(toolchain, reference, stub.built);
     for (std::size_t i = 0; i < found.groups.size(); ++i)
         if (found.groups[i].right > 0)
@@ -60,8 +61,9 @@ void check_solution(const Toolchain& toolchain, const Reference& reference, cons
     for (std::size_t i = 0; i < right.cases.size(); ++i)
         if (!right.cases[i].right)
             return problems.add(fmt::format("{} is wrong in '{}' (seed {}): {} {} {}", solution.name,
-                                            reference.cases[i].about, reference.seed, text_of(right.cases[i].outcome),
-                                            right.cases[i].complaint, right.cases[i].outcome.printed));
+                                            reference.cases[i].about, reference.seed,
+                                            text_of(right.cases[i].outcome), right.cases[i].complaint,
+                                            right.cases[i].outcome.printed));
 }
 
 void check_misconception(const Toolchain& toolchain, const Reference& reference, std::size_t index,
@@ -70,9 +72,11 @@ void check_misconception(const Toolchain& toolchain, const Reference& reference,
     const Grade found = grade(toolchain, reference, wrong.built);
     if (!found.compiled) return;
     for (const std::string& name : exercise.misconceptions[index].groups) {
-        const auto group = std::size_t(std::ranges::find(exercise.groups, name, &Group::name) - exercise.groups.begin());
+        const auto group =
+            std::size_t(std::ranges::find(exercise.groups, name, &Group::name) - exercise.groups.begin());
         if (found.groups[group].right == found.groups[group].cases)
-            problems.add(fmt::format("{} loses no point in group '{}' (seed {})", wrong.name, name, reference.seed));
+            problems.add(
+                fmt::format("{} loses no point in group '{}' (seed {})", wrong.name, name, reference.seed));
     }
     if (!found.misconception)
         problems.add(fmt::format("{} is not recognised (seed {})", wrong.name, reference.seed));
@@ -90,7 +94,8 @@ void check_distinct(const Reference& reference, Problems& problems) {
             for (std::size_t i = 0; alike && i < reference.cases.size(); ++i)
                 alike = same(reference.outcomes[a][i], reference.outcomes[b][i], exercise.tolerance);
             if (alike)
-                problems.add(fmt::format("{} and {} can't be told apart (seed {})", exercise.misconceptions[a - 1].name,
+                problems.add(fmt::format("{} and {} can't be told apart (seed {})",
+                                         exercise.misconceptions[a - 1].name,
                                          exercise.misconceptions[b - 1].name, reference.seed));
         }
 }
@@ -102,8 +107,16 @@ std::set<std::string> declared_names(const std::string& code, const Exercise& ex
     static const std::regex declaration(
         R"re(\b(?:double|int|bool|auto|unsigned|dvec2|dvec3|dvec4|dmat3|dmat4|Ray|Hit|Hits|Span|Spans|Box|Rect|Cam|Node|Bounce|Wall|Cross|Cell|Found|Mat|std::string|std::string_view)\s*[&*]?\s*([a-z]\w*)(?!\s*\()\b)re");
     std::set<std::string> names;
-    for (std::sregex_iterator i(code.begin(), code.end(), declaration), end; i != end; ++i) names.insert((*i)[1]);
+    for (std::sregex_iterator i(code.begin(), code.end(), declaration), end; i != end; ++i)
+        names.insert((*i)[1]);
     for (const Function& function : exercise.functions) names.erase(function.name);
+    // Members are used behind a dot, where a name is left as it is.
+    static const std::regex members(R"re(struct\s+\w+\s*\{([^{}()]*)\})re");
+    for (std::sregex_iterator body(code.begin(), code.end(), members), end; body != end; ++body) {
+        const std::string inner = (*body)[1];
+        for (std::sregex_iterator i(inner.begin(), inner.end(), declaration); i != end; ++i)
+            names.erase((*i)[1]);
+    }
     return names;
 }
 
@@ -141,8 +154,9 @@ std::vector<std::string> problems_of(const Toolchain& toolchain, const Exercise&
         std::vector<std::array<Attempt, 2>> wrong;
         for (const Misconception& misconception : exercise.misconceptions) {
             const std::string code = read_code(misconception.file);
-            wrong.push_back({make(misconception.name, code),
-                             make(misconception.name + " with its variables renamed", renamed(code, exercise))});
+            wrong.push_back(
+                {make(misconception.name, code),
+                 make(misconception.name + " with its variables renamed", renamed(code, exercise))});
         }
         for (const std::uint64_t seed : seeds) {
             const Reference reference = make_reference(toolchain, exercise, seed);
@@ -152,7 +166,8 @@ std::vector<std::string> problems_of(const Toolchain& toolchain, const Exercise&
             if (seed == seeds.front())
                 check_solution(toolchain, reference, sanitized, CaseRunner::Trust::own_code, problems);
             for (std::size_t i = 0; i < wrong.size(); ++i)
-                for (const Attempt& attempt : wrong[i]) check_misconception(toolchain, reference, i, attempt, problems);
+                for (const Attempt& attempt : wrong[i])
+                    check_misconception(toolchain, reference, i, attempt, problems);
         }
     } catch (const InputError& error) {
         problems.add(error.what());

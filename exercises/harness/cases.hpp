@@ -2,6 +2,7 @@
 // For cases.cpp of an exercise: the cases of a seed, and random numbers to make them of. The same seed gives the same
 // cases on every machine.
 
+#include "scene_text.hpp"
 #include "wire.hpp"
 
 namespace rx {

@@ -109,7 +109,9 @@ template <> struct Fields<Cam> {
 };
 template <> struct Fields<Node> {
     static constexpr const char* type = "Node";
-    template <typename V, typename F> static void visit(V& v, F f) { f("op", v.op), f("l", v.l), f("r", v.r); }
+    template <typename V, typename F> static void visit(V& v, F f) {
+        f("op", v.op), f("l", v.l), f("r", v.r);
+    }
 };
 template <> struct Fields<Bounce> {
     static constexpr const char* type = "Bounce";
@@ -213,7 +215,8 @@ template <Record R> void get(Reader& in, R& record) {
     }
     Fields<R>::visit(record, [&](const char*, auto&) { ++expected; });
     if (count != expected)
-        throw std::runtime_error(std::string("an argument has the wrong number of fields for ") + Fields<R>::type);
+        throw std::runtime_error(std::string("an argument has the wrong number of fields for ") +
+                                 Fields<R>::type);
     Fields<R>::visit(record, [&](const char*, auto& field) {
         if (tag == 'r') in.name();
         get(in, field);

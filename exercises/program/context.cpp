@@ -15,7 +15,8 @@ std::unique_ptr<Toolchain> make_toolchain(const Context& context) {
     Safety safety = Safety::sandboxed;
     if (context.options.unsafe) {
         safety = Safety::unsafe;
-        std::fputs("rayscope: WITHOUT A SANDBOX: the code that is checked can read and send what you can.\n", stderr);
+        std::fputs("rayscope: WITHOUT A SANDBOX: the code that is checked can read and send what you can.\n",
+                   stderr);
     } else if (const std::string why = why_no_sandbox(); !why.empty()) {
         throw UsageError("no sandbox, so no foreign code is run: " + why +
                          "\n--unsafe runs it all the same, with your rights: only for code that you trust");

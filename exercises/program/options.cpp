@@ -23,7 +23,8 @@ void add_student_commands(CLI::App& app, Options& options) {
         return std::pair{sub, kept};
     };
     {
-        const auto [sub, value] = command("start", "copy the stubs into a folder of your own; never overwrites", Start{});
+        const auto [sub, value] =
+            command("start", "copy the stubs into a folder of your own; never overwrites", Start{});
         sub->add_option("DIR", value->folder, "the folder (default: rayscope-exercises)");
     }
     command("list", "all exercises, with your points", ListExercises{});
@@ -66,13 +67,16 @@ void add_instructor_commands(CLI::App& app, Options& options) {
         sub->add_option("--jobs", value->jobs, "how many at once")->check(CLI::Range(1, 256));
     }
     {
-        const auto [sub, value] = command("grade", "grade submissions: results.json, JUnit, class table, pages", GradeAll{});
-        sub->add_option("SUBMISSION", value->submissions, "a file, a student's folder, or a folder of such")->required();
+        const auto [sub, value] =
+            command("grade", "grade submissions: results.json, JUnit, class table, pages", GradeAll{});
+        sub->add_option("SUBMISSION", value->submissions, "a file, a student's folder, or a folder of such")
+            ->required();
         sub->add_option("-o,--output", value->output, "the folder for the results")->required();
         sub->add_option("--jobs", value->jobs, "how many at once")->check(CLI::Range(1, 256));
     }
     {
-        const auto [sub, value] = command("package", "a Gradescope autograder, or with --student a workspace", Package{});
+        const auto [sub, value] =
+            command("package", "a Gradescope autograder, or with --student a workspace", Package{});
         sub->add_flag("--student", value->student, "the workspace that students get, without solutions");
         sub->add_option("-o,--output", value->output, "the .zip file")->required();
     }

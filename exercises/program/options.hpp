@@ -57,8 +57,8 @@ struct Help {
     std::string text;
 };
 
-using Command = std::variant<Help, Start, Watch, ListExercises, Check, CheckAll, Hint, Reset, ShowSolution, Next, Predict,
-                             Verify, GradeAll, Package, New>;
+using Command = std::variant<Help, Start, Watch, ListExercises, Check, CheckAll, Hint, Reset, ShowSolution,
+                             Next, Predict, Verify, GradeAll, Package, New>;
 
 struct Options {
     Command command;

@@ -72,7 +72,8 @@ void limit(__rlimit_resource what, rlim_t most) {
     // Above the numbers that they are to get, so that none is overwritten before it is copied.
     const int in = fcntl(input, F_DUPFD, 10), out = fcntl(print, F_DUPFD, 10),
               result = fcntl(answer, F_DUPFD, 10);
-    if (dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(out, 2) < 0 || dup2(result, answers) < 0) _exit(not_started);
+    if (dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(out, 2) < 0 || dup2(result, answers) < 0)
+        _exit(not_started);
     if (syscall(SYS_close_range, answers + 1, ~0U, 0) != 0) _exit(not_started);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, rlim_t(limits.cpu.count() / 1000) + 2);
@@ -114,8 +115,8 @@ End watch(pid_t child, Pipe& print, Pipe& answer, const Limits& limits) {
     End end;
     const Descriptor handle(int(syscall(SYS_pidfd_open, child, 0)));
     std::size_t printed = 0, answered = 0;
-    std::array<pollfd, 3> events{pollfd{handle.get(), POLLIN, 0}, {print.out.get(), POLLIN, 0},
-                                 {answer.out.get(), POLLIN, 0}};
+    std::array<pollfd, 3> events{
+        pollfd{handle.get(), POLLIN, 0}, {print.out.get(), POLLIN, 0}, {answer.out.get(), POLLIN, 0}};
     const auto start = std::chrono::steady_clock::now();
     const auto drain = [&](pollfd& event, std::string& text, std::size_t kept, std::size_t& total) {
         if (event.revents != 0 && !take(event.fd, text, kept, total)) event.fd = -1;

@@ -9,7 +9,8 @@ namespace rayscope::runner {
 
 struct Limits {
     std::chrono::milliseconds cpu{2000}, wall{10000};
-    bool computing_only = true; ///< false for programs with sanitizers, which need more than untrusted code gets
+    bool computing_only =
+        true; ///< false for programs with sanitizers, which need more than untrusted code gets
 };
 
 struct Run {
@@ -19,9 +20,11 @@ struct Run {
 };
 
 struct End {
-    char how = 'e';  ///< 'e' exited, 's' killed by a signal, 't' out of time, 'o' wrote too much, 'f' not started
-    int detail = 0;  ///< exit code, signal
-    std::string printed, answer; ///< the beginning of what it wrote to stdout and stderr; all that it wrote to 3
+    char how =
+        'e'; ///< 'e' exited, 's' killed by a signal, 't' out of time, 'o' wrote too much, 'f' not started
+    int detail = 0; ///< exit code, signal
+    std::string printed,
+        answer; ///< the beginning of what it wrote to stdout and stderr; all that it wrote to 3
 };
 
 [[nodiscard]] End run(const Run& what, const Limits& limits);
