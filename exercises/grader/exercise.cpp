@@ -163,17 +163,17 @@ std::vector<Exercise> read_catalogue(const fs::path& folder) {
 }
 
 const Exercise& find_exercise(const std::vector<Exercise>& catalogue, const std::string& name) {
+    static const std::regex number("^[0-9]+-[0-9]+-");
     std::vector<const Exercise*> found;
     for (const Exercise& exercise : catalogue) {
-        if (exercise.id == name) return exercise;
-        const bool begins = exercise.id.starts_with(name + "-"), ends = exercise.id.ends_with("-" + name);
-        if (!name.empty() && (begins || ends)) found.push_back(&exercise);
+        if (exercise.id == name || std::regex_replace(exercise.id, number, "") == name) return exercise;
+        if (!name.empty() && exercise.id.starts_with(name + "-")) found.push_back(&exercise);
     }
     if (found.size() == 1) return *found.front();
     std::string known;
-    for (const Exercise& exercise : catalogue) known += "\n  " + exercise.id;
+    for (const Exercise& exercise : catalogue) known += (known.empty() ? "" : ", ") + exercise.id;
     throw InputError(name.empty() ? "NAME" : name, {},
-                     fmt::format("{}; expected one of:{}",
+                     fmt::format("{}; expected one of: {}",
                                  found.empty() ? "no such exercise" : "fits several exercises", known));
 }
 

@@ -1,6 +1,7 @@
 #include "exercises/grader/reference.hpp"
 
-#include "core/scene/input_error.hpp"
+#include "core/files/atomic_file.hpp"
+#include "core/scene/source_text.hpp"
 #include "exercises/grader/units.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 
 namespace rayscope::exercises {
 namespace {
+
+constexpr std::size_t most_kept = std::size_t(16) << 20U;
 
 [[noreturn]] void fail(const Exercise& exercise, const std::string& message) {
     throw InputError(exercise.cases().string(), {}, message);
@@ -62,6 +65,46 @@ std::vector<Case> listed(CaseRunner& runner, const Exercise& exercise, std::uint
     return cases;
 }
 
+/// The outcomes of a case after the other, as one value: kind, detail and value of each.
+std::string packed(const std::vector<Outcome>& outcomes) {
+    List list;
+    for (const Outcome& outcome : outcomes) {
+        list.push_back({std::int64_t(outcome.kind)});
+        list.push_back({std::int64_t(outcome.detail)});
+        list.push_back(outcome.value);
+    }
+    return encoded({std::move(list)});
+}
+
+std::optional<std::vector<Outcome>> unpacked(const std::string& bytes, std::size_t count) {
+    auto value = decoded(bytes);
+    auto* list = value ? std::get_if<List>(&value->content) : nullptr;
+    if (list == nullptr || list->size() != 3 * count) return std::nullopt;
+    std::vector<Outcome> outcomes;
+    for (std::size_t i = 0; i < list->size(); i += 3) {
+        const auto *kind = std::get_if<std::int64_t>(&(*list)[i].content),
+                   *detail = std::get_if<std::int64_t>(&(*list)[i + 1].content);
+        if (kind == nullptr || detail == nullptr) return std::nullopt;
+        outcomes.push_back({OutcomeKind(*kind), std::move((*list)[i + 2]), int(*detail), {}});
+    }
+    return outcomes;
+}
+
+/// The outcomes of a variant, kept beside the program: one that runs out of time is waited for only once.
+std::vector<Outcome> outcomes_of(const Toolchain& toolchain, const Reference& reference,
+                                 std::size_t variant) {
+    const std::filesystem::path kept =
+        fmt::format("{}.seed-{}.variant-{}", reference.program.string(), reference.seed, variant);
+    if (std::filesystem::is_regular_file(kept))
+        if (auto outcomes = unpacked(read_file(kept, most_kept), reference.cases.size())) return *outcomes;
+    CaseRunner runner(toolchain, reference.program);
+    std::vector<Outcome> outcomes;
+    for (const Case& asked : reference.cases)
+        outcomes.push_back(runner.run({{"answer", std::to_string(variant)}, asked.call}));
+    write_text_file(kept, packed(outcomes));
+    return outcomes;
+}
+
 } // namespace
 
 Reference make_reference(const Toolchain& toolchain, const Exercise& exercise, std::uint64_t seed) {
@@ -71,13 +114,8 @@ Reference make_reference(const Toolchain& toolchain, const Exercise& exercise, s
     reference.program = compiled(toolchain, exercise);
     CaseRunner lister(toolchain, reference.program);
     reference.cases = listed(lister, exercise, seed);
-    for (std::size_t variant = 0; variant <= exercise.misconceptions.size(); ++variant) {
-        CaseRunner runner(toolchain,
-                          reference.program); // of its own: one that runs out of time is not waited for long
-        std::vector<Outcome>& outcomes = reference.outcomes.emplace_back();
-        for (const Case& asked : reference.cases)
-            outcomes.push_back(runner.run({{"answer", std::to_string(variant)}, asked.call}));
-    }
+    for (std::size_t variant = 0; variant <= exercise.misconceptions.size(); ++variant)
+        reference.outcomes.push_back(outcomes_of(toolchain, reference, variant));
     for (std::size_t i = 0; i < reference.cases.size(); ++i) {
         const Outcome& right = reference.outcomes[0][i];
         if (right.kind != OutcomeKind::answered)

@@ -71,6 +71,8 @@ void add_instructor_commands(CLI::App& app, Options& options) {
             command("grade", "grade submissions: results.json, JUnit, class table, pages", GradeAll{});
         sub->add_option("SUBMISSION", value->submissions, "a file, a student's folder, or a folder of such")
             ->required();
+        sub->add_option("--exercise", value->exercises,
+                        "which exercises (default: all that anybody handed in)");
         sub->add_option("-o,--output", value->output, "the folder for the results")->required();
         sub->add_option("--jobs", value->jobs, "how many at once")->check(CLI::Range(1, 256));
     }

@@ -40,6 +40,7 @@ struct Verify {
 };
 struct GradeAll {
     std::vector<std::filesystem::path> submissions;
+    std::vector<std::string> exercises; ///< empty: all that anybody handed in
     std::filesystem::path output;
     int jobs = 0;
 };
