@@ -1,0 +1,5 @@
+Spans halfSpace(const Ray& r) {
+    if (r.d.z == 0) return {};
+    const double t = -r.o.z / r.d.z;
+    return r.d.z < 0 ? Spans{{t, INF}} : Spans{{-INF, t}};
+}

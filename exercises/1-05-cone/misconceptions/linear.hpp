@@ -1,0 +1,26 @@
+Spans cone(const Ray& r) {
+    const dvec2 o(r.o), d(r.d);
+    const double w = 1 - r.o.z;
+    const double A = 4 * dot(d, d) - r.d.z * r.d.z, B = 4 * dot(o, d) + w * r.d.z, C = 4 * dot(o, o) - w * w;
+    if (A == 0) return {};
+    const double D = B * B - A * C;
+    const double root = D > 0 ? std::sqrt(D) : 0;
+    const double t0 = std::min((-B - root) / A, (-B + root) / A),
+                 t1 = std::max((-B - root) / A, (-B + root) / A);
+    Spans inside;
+    if (A > 0 && D > 0) inside = {{t0, t1}};
+    if (A < 0) inside = D > 0 ? Spans{{-INF, t0}, {t1, INF}} : Spans{{-INF, INF}};
+    Span slab{-INF, INF};
+    if (r.d.z == 0) {
+        if (std::abs(r.o.z) > 1) return {};
+    } else {
+        const double down = (-1 - r.o.z) / r.d.z, up = (1 - r.o.z) / r.d.z;
+        slab = {std::min(down, up), std::max(down, up)};
+    }
+    Spans result;
+    for (const Span& part : inside) {
+        const Span both{std::max(part.a, slab.a), std::min(part.b, slab.b)};
+        if (both.a < both.b) result.push_back(both);
+    }
+    return result;
+}

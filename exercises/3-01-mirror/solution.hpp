@@ -1,0 +1,4 @@
+#include "rx.hpp"
+using namespace rx;
+
+dvec3 mirror(const dvec3&, const dvec3& d, const dvec3& n) { return d - 2 * dot(d, n) * n; }

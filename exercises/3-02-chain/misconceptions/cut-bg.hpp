@@ -1,0 +1,8 @@
+dvec3 from(const std::vector<Bounce>& p, std::size_t i, int k, const dvec3& bg) {
+    if (i == p.size()) return bg;
+    if (p[i].kr == 0) return p[i].local;
+    if (k <= 0) return p[i].local + p[i].kr * bg;
+    return p[i].local + p[i].kr * from(p, i + 1, k - 1, bg);
+}
+
+dvec3 chain(const std::vector<Bounce>& p, int k, const dvec3& bg) { return from(p, 0, k, bg); }

@@ -1,0 +1,1 @@
+int rays(const std::vector<double>&, int k, double) { return k; }

@@ -1,0 +1,10 @@
+#include "rx.hpp"
+using namespace rx;
+
+Wall wall(dvec3 d, dvec3 nOut, double c) {
+    const bool enters = dot(d, nOut) < 0;
+    Wall result{enters ? nOut : -nOut, enters ? 1 : c, enters ? c : 1, enters, false};
+    const double eta = result.c2 / result.c1, cosine = dot(d, nOut);
+    result.tir = 1 - eta * eta * (1 - cosine * cosine) < 0;
+    return result;
+}

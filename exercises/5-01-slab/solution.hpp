@@ -1,0 +1,17 @@
+#include "rx.hpp"
+using namespace rx;
+
+std::optional<Span> slab(const Ray& r, const Box& b) {
+    Span span{-INF, INF};
+    for (int i = 0; i < 3; ++i) {
+        if (r.d[i] == 0) {
+            if (r.o[i] < b.lo[i] || r.o[i] > b.hi[i]) return std::nullopt;
+            continue;
+        }
+        const double low = (b.lo[i] - r.o[i]) / r.d[i], high = (b.hi[i] - r.o[i]) / r.d[i];
+        span.a = std::max(span.a, std::min(low, high));
+        span.b = std::min(span.b, std::max(low, high));
+    }
+    if (span.a > span.b) return std::nullopt;
+    return span;
+}

@@ -1,0 +1,27 @@
+#include "rx.hpp"
+using namespace rx;
+
+Rect extent(const dmat4& M, const Cam& c) {
+    std::array<dvec3, 8> corner;
+    for (std::size_t i = 0; i < 8; ++i)
+        corner[i] = dvec3(c.view * M * dvec4(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1, 1));
+    std::vector<dvec3> visible;
+    for (std::size_t i = 0; i < 8; ++i) {
+        if (corner[i].z <= -c.n) visible.push_back(corner[i]);
+        for (const std::size_t axis : {1U, 2U, 4U}) {
+            const std::size_t j = i | axis;
+            if (j == i || (corner[i].z <= -c.n) == (corner[j].z <= -c.n)) continue;
+            const double share = (-c.n - corner[i].z) / (corner[j].z - corner[i].z);
+            visible.push_back(corner[i] + share * (corner[j] - corner[i]));
+        }
+    }
+    const double s = c.h / (2 * std::tan(c.fovy / 2));
+    Rect rect{INF, INF, -INF, -INF};
+    for (const dvec3& p : visible) {
+        const double x = c.w / 2.0 + s * p.x / -p.z, y = c.h / 2.0 + s * p.y / -p.z;
+        rect = {std::min(rect.x0, x), std::min(rect.y0, y), std::max(rect.x1, x), std::max(rect.y1, y)};
+    }
+    rect = {std::max(rect.x0, 0.0), std::max(rect.y0, 0.0), std::min(rect.x1, double(c.w)),
+            std::min(rect.y1, double(c.h))};
+    return rect.x0 < rect.x1 && rect.y0 < rect.y1 ? rect : Rect{};
+}

@@ -1,0 +1,1 @@
+bool pays(double cBox, double cObj, double p) { return cBox < p * cObj; }

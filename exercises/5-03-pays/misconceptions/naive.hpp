@@ -1,0 +1,1 @@
+bool pays(double cBox, double cObj, double) { return cBox < cObj; }

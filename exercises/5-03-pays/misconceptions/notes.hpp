@@ -1,0 +1,1 @@
+bool pays(double, double, double) { return true; }

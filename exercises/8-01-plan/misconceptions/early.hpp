@@ -1,0 +1,8 @@
+unsigned plan(const Mat& m, int k, double w, double eps, bool inside) {
+    unsigned bits = 0;
+    if (!inside) bits |= 1U;
+    if (k > 0 && m.kr > 0 && w >= eps) bits |= 2U;
+    if (k > 0 && m.kt > 0 && w >= eps) bits |= 4U;
+    if (!inside && m.kd + m.ks > 0) bits |= 8U;
+    return bits;
+}

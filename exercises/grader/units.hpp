@@ -1,0 +1,18 @@
+#pragma once
+// The texts that make a program of an exercise's files.
+
+#include "exercises/grader/exercise.hpp"
+#include "exercises/grader/toolchain.hpp"
+
+namespace rayscope::exercises {
+
+/// A student's file, or one that is treated like it. Diagnostics name it Exercise::file_name().
+[[nodiscard]] Unit answer_unit(const Exercise& exercise, const std::string& code, bool sanitized = false);
+
+/// The cases, the solution and the misconceptions. Throws InputError where a file can't be read.
+[[nodiscard]] Unit reference_unit(const Exercise& exercise);
+
+/// A file of at most a MiB. Throws InputError.
+[[nodiscard]] std::string read_code(const std::filesystem::path& path);
+
+} // namespace rayscope::exercises

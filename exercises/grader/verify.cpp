@@ -1,0 +1,179 @@
+#include "exercises/grader/verify.hpp"
+
+#include "core/scene/input_error.hpp"
+#include "exercises/grader/grade.hpp"
+#include "exercises/grader/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <regex>
+#include <set>
+
+namespace rayscope::exercises {
+namespace {
+
+/// Collects what is wrong, once each.
+class Problems {
+public:
+    void add(std::string text) {
+        if (std::ranges::find(texts_, text) == texts_.end()) texts_.push_back(std::move(text));
+    }
+    [[nodiscard]] std::vector<std::string> texts() && { return std::move(texts_); }
+
+private:
+    std::vector<std::string> texts_;
+};
+
+std::string compile_text(const Compiled& built) {
+    for (const Diagnostic& diagnostic : built.diagnostics)
+        if (diagnostic.error) return fmt::format("line {}: {}", diagnostic.line, diagnostic.message);
+    return built.problem;
+}
+
+/// One of the exercise's own programs, and what it is for.
+struct Attempt {
+    std::string name;
+    Compiled built;
+};
+Attempt attempt(const Toolchain& toolchain, const Exercise& exercise, std::string name,
+                const std::string& code, Problems& problems, bool sanitized = false) {
+    Attempt made{std::move(name), toolchain.kept(answer_unit(exercise, code, sanitized))};
+    if (made.built.program.empty())
+        problems.add(fmt::format("{} does not compile: {}", made.name, compile_text(made.built)));
+    return made;
+}
+
+void check_stub(const Toolchain& toolchain, const Reference& reference, const Attempt& stub,
+                Problems& problems) {
+    const Grade found = grade(toolchain, reference, stub.built);
+    for (std::size_t i = 0; i < found.groups.size(); ++i)
+        if (found.groups[i].right > 0)
+            problems.add(fmt::format("{} has points in group '{}' (seed {})", stub.name,
+                                     reference.exercise->groups[i].name, reference.seed));
+}
+
+void check_solution(const Toolchain& toolchain, const Reference& reference, const Attempt& solution,
+                    CaseRunner::Trust trust, Problems& problems) {
+    const Grade right = grade(toolchain, reference, solution.built, trust);
+    for (std::size_t i = 0; i < right.cases.size(); ++i)
+        if (!right.cases[i].right)
+            return problems.add(fmt::format("{} is wrong in '{}' (seed {}): {} {} {}", solution.name,
+                                            reference.cases[i].about, reference.seed,
+                                            text_of(right.cases[i].outcome), right.cases[i].complaint,
+                                            right.cases[i].outcome.printed));
+}
+
+void check_misconception(const Toolchain& toolchain, const Reference& reference, std::size_t index,
+                         const Attempt& wrong, Problems& problems) {
+    const Exercise& exercise = *reference.exercise;
+    const Grade found = grade(toolchain, reference, wrong.built);
+    if (!found.compiled) return;
+    for (const std::string& name : exercise.misconceptions[index].groups) {
+        const auto group =
+            std::size_t(std::ranges::find(exercise.groups, name, &Group::name) - exercise.groups.begin());
+        if (found.groups[group].right == found.groups[group].cases)
+            problems.add(
+                fmt::format("{} loses no point in group '{}' (seed {})", wrong.name, name, reference.seed));
+    }
+    if (!found.misconception)
+        problems.add(fmt::format("{} is not recognised (seed {})", wrong.name, reference.seed));
+    else if (*found.misconception != index)
+        problems.add(fmt::format("{} is taken for {} (seed {})", wrong.name,
+                                 exercise.misconceptions[*found.misconception].name, reference.seed));
+}
+
+/// No two variants of the reference may answer alike: then they could not be told apart.
+void check_distinct(const Reference& reference, Problems& problems) {
+    const Exercise& exercise = *reference.exercise;
+    for (std::size_t a = 1; a < reference.outcomes.size(); ++a)
+        for (std::size_t b = a + 1; b < reference.outcomes.size(); ++b) {
+            bool alike = true;
+            for (std::size_t i = 0; alike && i < reference.cases.size(); ++i)
+                alike = same(reference.outcomes[a][i], reference.outcomes[b][i], exercise.tolerance);
+            if (alike)
+                problems.add(fmt::format("{} and {} can't be told apart (seed {})",
+                                         exercise.misconceptions[a - 1].name,
+                                         exercise.misconceptions[b - 1].name, reference.seed));
+        }
+}
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Names that a type, in front of them, declares.
+std::set<std::string> declared_names(const std::string& code, const Exercise& exercise) {
+    static const std::regex declaration(
+        R"re(\b(?:double|int|bool|auto|unsigned|dvec2|dvec3|dvec4|dmat3|dmat4|Ray|Hit|Hits|Span|Spans|Box|Rect|Cam|Node|Bounce|Wall|Cross|Cell|Found|Mat|std::string|std::string_view)\s*[&*]?\s*([a-z]\w*)(?!\s*\()\b)re");
+    std::set<std::string> names;
+    for (std::sregex_iterator i(code.begin(), code.end(), declaration), end; i != end; ++i)
+        names.insert((*i)[1]);
+    for (const Function& function : exercise.functions) names.erase(function.name);
+    // Members are used behind a dot, where a name is left as it is.
+    static const std::regex members(R"re(struct\s+\w+\s*\{([^{}()]*)\})re");
+    for (std::sregex_iterator body(code.begin(), code.end(), members), end; body != end; ++body) {
+        const std::string inner = (*body)[1];
+        for (std::sregex_iterator i(inner.begin(), inner.end(), declaration); i != end; ++i)
+            names.erase((*i)[1]);
+    }
+    return names;
+}
+
+} // namespace
+
+std::string renamed(const std::string& code, const Exercise& exercise) {
+    const std::set<std::string> names = declared_names(code, exercise);
+    std::string result;
+    for (std::size_t i = 0; i < code.size();) {
+        if (!is_word(code[i])) {
+            result += code[i++];
+            continue;
+        }
+        std::size_t end = i;
+        while (end < code.size() && is_word(code[end])) ++end;
+        const std::string word = code.substr(i, end - i);
+        const char before = i > 0 ? code[i - 1] : ' ';
+        const bool field = before == '.' || before == ':' || (before == '>' && i > 1 && code[i - 2] == '-');
+        result += !field && names.contains(word) ? "other_" + word : word;
+        i = end;
+    }
+    return result;
+}
+
+std::vector<std::string> problems_of(const Toolchain& toolchain, const Exercise& exercise,
+                                     const std::vector<std::uint64_t>& seeds) {
+    Problems problems;
+    try {
+        const auto make = [&](std::string name, const std::string& code, bool sanitized = false) {
+            return attempt(toolchain, exercise, std::move(name), code, problems, sanitized);
+        };
+        const Attempt stub = make("stub.hpp", read_code(exercise.stub())),
+                      solution = make("solution.hpp", read_code(exercise.solution())),
+                      sanitized = make("solution.hpp under sanitizers", read_code(exercise.solution()), true);
+        std::vector<std::array<Attempt, 2>> wrong;
+        for (const Misconception& misconception : exercise.misconceptions) {
+            const std::string code = read_code(misconception.file);
+            wrong.push_back(
+                {make(misconception.name, code),
+                 make(misconception.name + " with its variables renamed", renamed(code, exercise))});
+        }
+        for (const std::uint64_t seed : seeds) {
+            const Reference reference = make_reference(toolchain, exercise, seed);
+            check_distinct(reference, problems);
+            check_stub(toolchain, reference, stub, problems);
+            check_solution(toolchain, reference, solution, CaseRunner::Trust::none, problems);
+            if (seed == seeds.front())
+                check_solution(toolchain, reference, sanitized, CaseRunner::Trust::own_code, problems);
+            for (std::size_t i = 0; i < wrong.size(); ++i)
+                for (const Attempt& attempt : wrong[i])
+                    check_misconception(toolchain, reference, i, attempt, problems);
+        }
+    } catch (const InputError& error) {
+        problems.add(error.what());
+    }
+    if (exercise.hints.empty()) problems.add("exercise.toml has no hints");
+    return std::move(problems).texts();
+}
+
+} // namespace rayscope::exercises

@@ -1,0 +1,103 @@
+// Submissions that want points, or harm, without earning them. Each file of attacks/ names in its first line how at
+// least one of its runs ends; none may have more points than its honest part, which returns no span.
+
+#include "tests/exercises/grading.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <map>
+
+namespace rayscope::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace exercises;
+
+const fs::path attacks = RAYSCOPE_SOURCE_DIR "/tests/exercises/attacks";
+
+const std::map<std::string, OutcomeKind> kinds{
+    {"answered", OutcomeKind::answered},       {"threw", OutcomeKind::threw},
+    {"crashed", OutcomeKind::crashed},         {"timed_out", OutcomeKind::timed_out},
+    {"ended_early", OutcomeKind::ended_early}, {"no_value", OutcomeKind::no_value},
+    {"too_much", OutcomeKind::too_much},       {"unsteady", OutcomeKind::unsteady}};
+
+const Reference& sphere() {
+    static const Reference reference = make_reference(toolchain(), find_exercise(catalogue(), "1-03-sphere"), 4711);
+    return reference;
+}
+
+std::vector<std::string> names(bool slow) {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(attacks))
+        if ((text_of_file(entry.path()).find("\n// slow\n") != std::string::npos) == slow)
+            found.push_back(entry.path().stem());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+double honest_score() {
+    static const double score = grade(toolchain(), sphere(), text_of_file(attacks / "honest.attack")).score;
+    return score;
+}
+
+void gains_nothing(const std::string& name) {
+    const std::string code = text_of_file(attacks / (name + ".attack"));
+    const std::string expected = code.substr(9, code.find('\n') - 9); // behind "// ends: "
+    const Grade result = grade(toolchain(), sphere(), code);
+    EXPECT_LE(result.score, honest_score());
+    EXPECT_LT(honest_score(), 15);
+    if (expected == "does not compile") {
+        EXPECT_FALSE(result.compiled);
+        EXPECT_EQ(result.score, 0);
+        EXPECT_TRUE(!result.problem.empty() || std::ranges::any_of(result.diagnostics, &Diagnostic::error) != 0)
+            << "no verdict is given";
+        return;
+    }
+    ASSERT_TRUE(kinds.contains(expected)) << expected;
+    EXPECT_TRUE(result.compiled) << result.problem;
+    const auto ended = std::ranges::count(result.cases, kinds.at(expected),
+                                          [](const CaseResult& one) { return one.outcome.kind; });
+    EXPECT_GT(ended, 0) << "it ended as: " << (result.cases.empty() ? "" : text_of(result.cases[0].outcome));
+}
+
+class Attacks : public InSandbox, public testing::WithParamInterface<std::string> {};
+TEST_P(Attacks, gain_nothing) { gains_nothing(GetParam()); }
+INSTANTIATE_TEST_SUITE_P(Quick, Attacks, testing::ValuesIn(names(false)), [](const auto& info) { return info.param; });
+
+class AttacksFull : public Attacks {};
+TEST_P(AttacksFull, gain_nothing) { gains_nothing(GetParam()); }
+INSTANTIATE_TEST_SUITE_P(Slow, AttacksFull, testing::ValuesIn(names(true)), [](const auto& info) { return info.param; });
+
+TEST(AttackFiles, are_many) { EXPECT_GE(names(false).size() + names(true).size(), 60U); }
+
+class Grader : public InSandbox {};
+
+TEST_F(Grader, knows_no_code_in_bytes) {
+    const Grade result = grade(toolchain(), sphere(), std::string("\xff\xfe\0binary\x01", 10));
+    EXPECT_FALSE(result.compiled);
+    EXPECT_EQ(result.score, 0);
+}
+
+// Who learnt the practice cases by heart has the points of none of them in another seed.
+TEST_F(Grader, rewards_no_answers_learnt_by_heart) {
+    const Exercise& exercise = *sphere().exercise;
+    const Reference practice = make_reference(toolchain(), exercise, 1);
+    std::string code = "Spans sphere(const Ray& r) {\n";
+    for (std::size_t i = 0; i < practice.cases.size(); ++i) {
+        const std::string ray = text_of(practice.cases[i].arguments[0]), answer = text_of(practice.outcomes[0][i].value);
+        code += "    if (const Ray k = " + ray + "; k.o == r.o && k.d == r.d) return " + answer + ";\n";
+    }
+    code += "    return {};\n}\n";
+    const Grade known = grade(toolchain(), practice, code), other = grade(toolchain(), sphere(), code);
+    EXPECT_EQ(known.score, 15);
+    EXPECT_LE(other.score, honest_score());
+}
+
+TEST_F(Grader, gives_the_same_verdict_after_all_that) {
+    const std::string solution = text_of_file(sphere().exercise->solution());
+    EXPECT_TRUE(grade(toolchain(), sphere(), solution).all_right());
+}
+
+} // namespace
+} // namespace rayscope::test

@@ -1,0 +1,39 @@
+#include "tests/exercises/grading.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace rayscope::test {
+
+const std::vector<exercises::Exercise>& catalogue() {
+    static const auto all = exercises::read_catalogue(RAYSCOPE_SOURCE_DIR "/exercises");
+    return all;
+}
+
+const exercises::Toolchain& toolchain() {
+    static const auto made = [] {
+        setenv("RAYSCOPE_EXERCISES_CACHE", std::filesystem::absolute("exercises-cache").c_str(), 0);
+        return std::make_unique<exercises::Toolchain>(
+            RAYSCOPE_SOURCE_DIR "/exercises/harness",
+            std::filesystem::path(RAYSCOPE_PROGRAM).parent_path() / "rayscope-exercise-runner",
+            exercises::Safety::sandboxed);
+    }();
+    return *made;
+}
+
+std::string text_of_file(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw std::runtime_error("can't read " + path.string());
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+void InSandbox::SetUp() {
+    static const std::string why = exercises::why_no_sandbox();
+    if (!why.empty()) GTEST_SKIP() << "no sandbox: " << why;
+}
+
+} // namespace rayscope::test
