@@ -25,6 +25,8 @@
 #include "core/trace/trace_json.hpp"
 #include "core/tracer/render.hpp"
 #include "core/tracer/why_not.hpp"
+#include "core/walk/find.hpp"
+#include "core/walk/walk.hpp"
 
 #include <filesystem>
 #include <memory>
