@@ -1,11 +1,11 @@
 #include "core/trace/divergence.hpp"
 
 #include "core/trace/explained.hpp"
+#include "core/trace/given.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string_view>
 
 namespace rayscope {
 namespace {
@@ -85,7 +85,7 @@ private:
         ++result_.rays;
         if (!complete(a) || !complete(b) || !start(a, b) || !spans(a, b)) return false;
         if (a.start().kind == RayKind::shadow) return visibility(a, b);
-        if (!hit(a, b)) return false;
+        if (!hit(a, b) || !given(a, b)) return false;
         if (has<Missed>(a)) return true;
         const Drift drift = drift_at_hit(a, b);
         return local_light(index, drift) && total(a, b) && follow(index, RayKind::reflected, drift) &&
@@ -168,6 +168,19 @@ private:
         t.explained = explained_t(p, a.start(), drift, t.bounds);
         return judged(std::move(t), magnitude(p.boundary.t)) &&
                numbers(Answer::normal, p.normal, q.normal, infinity<double>);
+    }
+
+    // Not calculated: the same in all numbers, and another only where the scene is.
+    bool given(const TracedRay& a, const TracedRay& b) {
+        const auto found = first_given_difference(a, b);
+        if (!found) return true;
+        Difference d{Answer::given, index_};
+        d.what = found->what;
+        d.light = found->light;
+        d.first = found->first;
+        d.second = found->second;
+        d.is_vector = true;
+        return differs(std::move(d));
     }
 
     [[nodiscard]] static Drift drift_at_hit(const TracedRay& a, const TracedRay& b) {

@@ -84,6 +84,12 @@ int parse_count(const std::string& option, const std::string& text, int least, i
     return *number;
 }
 
+double parse_number(const std::string& option, const std::string& text) {
+    const auto number = number_of<double>(text);
+    if (!number || !is_finite(*number)) expected(option, "a finite number", text);
+    return *number;
+}
+
 double parse_positive(const std::string& option, const std::string& text) {
     const auto number = number_of<double>(text);
     if (!number || !is_finite(*number) || !(*number > 0)) expected(option, "a number above 0", text);

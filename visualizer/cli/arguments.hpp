@@ -19,6 +19,9 @@ namespace rayscope::cli {
 /// A whole number within limits.
 [[nodiscard]] int parse_count(const std::string& option, const std::string& text, int least, int most);
 
+/// A finite number.
+[[nodiscard]] double parse_number(const std::string& option, const std::string& text);
+
 /// A finite number above 0.
 [[nodiscard]] double parse_positive(const std::string& option, const std::string& text);
 

@@ -13,8 +13,9 @@ namespace rayscope::cli {
 struct Texts {
     using Text = std::optional<std::string>;
     Text scene, pixel, ray, digits, png, size, output, threads, statistics, why, compare, stage, heat;
+    Text script, where, listed, other;
     Text configurations, target_error, runs, reference_rays;
-    bool no_png = false, cases = false;
+    bool no_png = false, cases = false, json = false, quiz = false;
 };
 
 /// Each on its own while it parses: below a common parent, a scene called like a command would be taken for one.

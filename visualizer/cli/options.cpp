@@ -67,6 +67,14 @@ StepOptions step_options(const Texts& texts) {
     if (texts.size) options.size = parse_size(*texts.size);
     options.why = texts.why;
     options.compare = texts.compare;
+    options.script = texts.script;
+    options.json = texts.json;
+    options.quiz = texts.quiz;
+    if (texts.quiz && texts.script) throw UsageError("--quiz and --script exclude each other");
+    for (const auto& [given, name] :
+         {std::pair(texts.quiz, "--quiz"), {texts.json, "--json"}, {texts.script.has_value(), "--script"}})
+        if (given && (texts.why || texts.compare))
+            throw UsageError(std::string(name) + " starts a conversation; --why and --compare only answer");
     if (texts.compare && texts.stage)
         throw UsageError("--compare and --stage exclude each other: other numbers than double stable scan");
     if (texts.compare && texts.why) throw UsageError("--compare and --why exclude each other");
@@ -74,6 +82,38 @@ StepOptions step_options(const Texts& texts) {
         throw UsageError("--compare draws no picture: --png has no meaning with it");
     if (texts.compare && texts.size)
         throw UsageError("--compare draws no picture: --size has no meaning with it");
+    return options;
+}
+
+FindCommandOptions find_options(const Texts& texts) {
+    FindCommandOptions options;
+    options.scene = scene_text(texts);
+    if (!texts.scene) throw UsageError("find needs a scene: rayscope find SCENE --where CONDITION");
+    if (!texts.where) throw UsageError("find needs to know what to look for: --where 'tir && depth >= 3'");
+    options.where = *texts.where;
+    options.by_stage = texts.stage.has_value();
+    options.stage = asked_stage(texts);
+    options.output = texts.output;
+    options.json = texts.json;
+    if (texts.size) options.size = parse_size(*texts.size);
+    if (texts.listed) options.listed = parse_count("--list", *texts.listed, 0, 100000);
+    if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
+    return options;
+}
+
+DiffOptions diff_options(const Texts& texts) {
+    DiffOptions options;
+    options.other = texts.other;
+    options.configuration = texts.configurations;
+    options.stage = texts.stage;
+    if (!texts.scene) throw UsageError("diff needs a scene: rayscope diff SCENE OTHER");
+    if (int(texts.other.has_value()) + int(texts.configurations.has_value()) + int(texts.stage.has_value()) !=
+        1)
+        throw UsageError("diff needs one other run: another scene, --config LIST or --stage NAME");
+    Texts ray = texts;
+    ray.stage.reset();
+    options.choice = ray_choice(ray);
+    if (texts.digits) options.digits = parse_count("--digits", *texts.digits, 1, 17);
     return options;
 }
 
@@ -209,8 +249,7 @@ Options parse_options(int count, const char* const* arguments) {
                          ": expected a value after it, found none; rayscope " + command.get_name() +
                          " --help tells more");
     } catch (const CLI::ConversionError&) { // only a flag's value is converted there
-        throw UsageError((command.get_name() == "step" ? "--no-png" : "--cases") +
-                         std::string(" takes no value"));
+        throw UsageError("a flag takes no value; rayscope " + command.get_name() + " --help tells more");
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + "; rayscope " + command.get_name() +
                          " --help tells more");
@@ -218,6 +257,8 @@ Options parse_options(int count, const char* const* arguments) {
     refuse_unknown(command);
     refuse_repeated(command);
     if (command.get_name() == "step") return step_options(texts);
+    if (command.get_name() == "find") return find_options(texts);
+    if (command.get_name() == "diff") return diff_options(texts);
     if (command.get_name() == "render") return render_options(texts);
     if (command.get_name() == "extents") return extents_options(texts);
     if (command.get_name() == "export") return export_options(texts);
