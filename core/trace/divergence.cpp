@@ -34,10 +34,11 @@ std::optional<Reason> refusal(const TracedRay& ray, RayKind kind) {
     return std::nullopt;
 }
 
-/// A shadow ray that met something opaque asked no further: of other objects nothing is known.
-bool stopped_early(const TracedRay& ray) {
+/// A shadow ray that is blocked asks no further, and a stage tests what may matter: of other objects nothing is known.
+bool tested_some(const TracedRay& ray) {
     const auto* end = ray.find<RayFinished>();
-    return ray.start().kind == RayKind::shadow && end != nullptr && end->colour == Colour{0};
+    const bool shadow = ray.start().kind == RayKind::shadow;
+    return has<SearchBegan>(ray) || (shadow && end != nullptr && end->colour == Colour{0});
 }
 
 /// The largest component of |a − b|; NaN if one is, which largest_component() would pass over.
@@ -106,8 +107,7 @@ private:
             return numbers(Answer::origin, p.origin, q.origin, epsilon_ * length(p.origin)) &&
                    numbers(Answer::direction, p.direction, q.direction, epsilon_ * length(p.direction));
         if (p.kind != RayKind::shadow) return true; // its direction was its parent's answer
-        Drift drift;
-        drift.point = length(p.origin - q.origin);
+        const Drift drift{.point = length(p.origin - q.origin)};
         return numbers(Answer::direction, p.direction, q.direction,
                        explained_to_light(a_.lights[std::size_t(p.light)], p.origin, drift, epsilon_),
                        RayKind::shadow);
@@ -135,7 +135,7 @@ private:
             }
             return true;
         };
-        return agree(in_a, in_b, false, !stopped_early(b)) && agree(in_b, in_a, true, !stopped_early(a));
+        return agree(in_a, in_b, false, !tested_some(b)) && agree(in_b, in_a, true, !tested_some(a));
     }
 
     bool visibility(const TracedRay& a, const TracedRay& b) {

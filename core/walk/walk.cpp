@@ -35,7 +35,6 @@ std::optional<int> hit_of(const TracedRay& ray) {
 }
 
 std::optional<int> way_on(const TracedRay& ray, RayKind kind) {
-    if (const auto total = event_of<TotallyReflected>(ray)) return total;
     if (const auto not_followed = refused<NotSpawned>(ray, kind)) return not_followed;
     return kind == RayKind::refracted ? event_of<Refracted>(ray) : event_of<Reflected>(ray);
 }
@@ -57,7 +56,10 @@ std::optional<int> event_of(const Trace& trace, const TracedRay& ray, const Diff
         const auto lit = event_of<LightLit>(ray, difference.light);
         return lit ? lit : event_of<LocalLightSkipped>(ray);
     }
-    case Answer::total: return way_on(ray, RayKind::refracted);
+    case Answer::total: {
+        const auto total = event_of<TotallyReflected>(ray);
+        return total ? total : event_of<Refracted>(ray);
+    }
     case Answer::followed:
     case Answer::direction: return way_on(ray, difference.next);
     case Answer::visibility: return event_of<RayFinished>(ray);

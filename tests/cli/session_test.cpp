@@ -156,14 +156,20 @@ TEST_F(Prism, draws_the_refraction_card) {
 }
 
 TEST_F(Prism, finds_and_compares) {
-    EXPECT_THAT(say("find tir && depth >= 1 && depth < 1"), HasSubstr("None of 230400 pixels has it."));
+    Scene scene = bench.scene;
+    scene.camera.width = scene.camera.height = 24;
+    const Workbench small = make_workbench(std::move(scene));
+    cli::Session of_small(small, trace_pixel(small, 12, 12), style);
+    EXPECT_THAT(of_small.answer("find tir && depth < 1"), HasSubstr("None of 576 pixels has it."));
+    EXPECT_THAT(of_small.answer("find hit"),
+                AllOf(HasSubstr("576 of 576 pixels"), HasSubstr("… and 564 more")));
     EXPECT_THAT(say("diff stage octree"),
                 AllOf(HasSubstr("No divergence"), Not(HasSubstr("break divergence"))));
     EXPECT_THAT(say("diff depth=1"),
                 AllOf(HasSubstr("The first divergence"), HasSubstr("break divergence stops there")));
     say("break divergence");
     EXPECT_THAT(say("c"), StartsWith("breakpoint 1: divergence\n"));
-    EXPECT_EQ(at().first, 2);
+    EXPECT_EQ(at(), At(4, 14)); // where the first of depth 2 would be sent
 }
 
 TEST_F(Prism, says_why_a_cell_was_not_looked_into) {
@@ -211,9 +217,9 @@ TEST_F(Prism, saves_what_source_reads) {
     EXPECT_TRUE(exists(folder.path() / "trace.json"));
     std::ofstream(folder.path() / "loop") << "source " << (folder.path() / "loop").string() << "\n";
     EXPECT_THAT(refused("source " + (folder.path() / "loop").string()), HasSubstr("more than 8 deep"));
-    std::ofstream(folder.path() / "wrong") << "# a comment\n\nnext\nbrake tir\n";
+    std::ofstream(folder.path() / "wrong") << "# a comment\n\nnext\nbrek tir\n";
     EXPECT_THAT(refused("source " + (folder.path() / "wrong").string()),
-                HasSubstr("wrong:4: unknown command 'brake'; did you mean 'break'?"));
+                HasSubstr("wrong:4: unknown command 'brek'; did you mean 'break'?"));
 }
 
 TEST_F(Prism, completes_commands_fields_and_names) {
@@ -321,15 +327,13 @@ TEST(DiffCommand, tells_an_edited_scene_apart) {
 TEST(Terminal, completes_edits_and_remembers) {
     TerminalProgram program(stepping({}));
     program.shown_until("depth 0> ");
-    program.type("brea\t");
-    program.shown_until("break");
-    program.type(" tir\n");
+    program.type("brea\ttir\n");
     program.shown_until("Breakpoint 1: tir");
     program.shown_until("depth 0> ");
     program.type("c\n");
     program.shown_until("event 13 of 16> ");
     program.type("print weihgt\x7f\x7f\x7f\x7fight\n"); // corrected while typing
-    program.shown_until("weight = 0.9");
+    program.shown_until("weight = 0.9\r\n");
     program.shown_until("> ");
     program.type("\x1b[A\x1b[A\n"); // up, up: continue
     program.shown_until("Nothing stops any more");

@@ -21,10 +21,13 @@ struct Mistake {
 
 TEST(Usage, mistakes_are_named_with_what_was_expected) {
     const std::vector<Mistake> mistakes{
-        {{}, "rayscope: no command; expected step, trace, render, extents, export, accuracy or help"},
-        {{""}, "rayscope: no command; expected step, trace, render, extents, export, accuracy or help"},
+        {{},
+         "rayscope: no command; expected step, find, diff, trace, render, extents, export, accuracy or help"},
+        {{""},
+         "rayscope: no command; expected step, find, diff, trace, render, extents, export, accuracy or help"},
         {{"stp"},
-         "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, trace, render, extents, "
+         "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, find, diff, trace, render, "
+         "extents, "
          "export, "
          "accuracy or "
          "help"},

@@ -249,6 +249,9 @@ Options parse_options(int count, const char* const* arguments) {
                          ": expected a value after it, found none; rayscope " + command.get_name() +
                          " --help tells more");
     } catch (const CLI::ConversionError&) { // only a flag's value is converted there
+        for (const std::string& word : words)
+            if (const auto value = word.find('='); word.starts_with("--") && value != std::string::npos)
+                throw UsageError(word.substr(0, value) + " takes no value");
         throw UsageError("a flag takes no value; rayscope " + command.get_name() + " --help tells more");
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + "; rayscope " + command.get_name() +

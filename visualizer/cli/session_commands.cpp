@@ -56,7 +56,7 @@ std::span<const Command> commands() {
                 &S::set_break},
         Command{"tbreak", "tb", "CONDITION", "stop there once", &S::set_break_once},
         Command{"watch", "w wa", "EXPRESSION", "stop where its value becomes another", &S::set_watch},
-        Command{"delete", "d", "[N]", "remove breakpoint or watch N, or all", &S::remove},
+        Command{"delete", "d", "[N]", "remove breakpoint or watch N ($: the last one), or all", &S::remove},
         Command{"enable", "en", "[N]", "let it stop again", &S::enable},
         Command{"disable", "dis", "[N]", "keep it, but do not stop", &S::disable},
         Command{"info", "i", "breakpoints | display | scene | fields",

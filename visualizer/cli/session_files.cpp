@@ -47,7 +47,7 @@ std::string Session::save(const std::string& file) {
                  : point.once  ? "tbreak "
                                : "break ") +
                 point.expression.text() + "\n";
-        if (!point.enabled) text += "disable " + std::to_string(point.number) + "\n";
+        if (!point.enabled) text += "disable $\n";
     }
     for (const Display& shown : displays_) text += "display " + shown.expression.text() + "\n";
     const Spot spot = cursor().spot();

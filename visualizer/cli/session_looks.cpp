@@ -113,8 +113,8 @@ std::string Session::colour(const std::string& /*nothing*/) { return result_text
 
 std::string Session::print(const std::string& text) {
     const Expression expression = read_expression("print", text);
-    return harmless(text) + " = " +
-           value_text(expression.value(walk_.here()), expression.angle(), style_.number) + "\n";
+    return harmless(text) + " = " + value_text(expression.value(walk_.here()), expression, style_.number) +
+           "\n";
 }
 
 std::string Session::info(const std::string& topic) {

@@ -13,7 +13,9 @@
 namespace rayscope::cli {
 namespace {
 
-int stop_number(const char* command, const std::string& text) {
+/// "$" is the one that was set last.
+int stop_number(const char* command, const std::string& text, const StopPoints& stops) {
+    if (text == "$" && !stops.all().empty()) return stops.all().back().number;
     return parse_count(command, text, 1, std::numeric_limits<int>::max());
 }
 
@@ -47,7 +49,7 @@ std::string Session::set_break_once(const std::string& condition) {
 std::string Session::set_watch(const std::string& text) {
     Expression expression = read_expression("watch", text);
     const Value now = latest_value(expression, walk_.walked(), cursor().moment());
-    const std::string value = value_text(now, expression.angle(), style_.number);
+    const std::string value = value_text(now, expression, style_.number);
     const int number = walk_.stops().add_watch(std::move(expression));
     return "Watch " + std::to_string(number) + ": " + harmless(text) + ", now " + value + "\n";
 }
@@ -57,14 +59,14 @@ std::string Session::remove(const std::string& number) {
         walk_.stops().clear();
         return "No breakpoints or watches are left.\n";
     }
-    if (!walk_.stops().remove(stop_number("delete", number))) no_stop("delete", number);
+    if (!walk_.stops().remove(stop_number("delete", number, walk_.stops()))) no_stop("delete", number);
     return stops_text();
 }
 
 std::string Session::enable(const std::string& number) {
     for (const StopPoint& point : std::vector(walk_.stops().all()))
         if (number.empty()) (void)walk_.stops().enable(point.number, true);
-    if (!number.empty() && !walk_.stops().enable(stop_number("enable", number), true))
+    if (!number.empty() && !walk_.stops().enable(stop_number("enable", number, walk_.stops()), true))
         no_stop("enable", number);
     return stops_text();
 }
@@ -72,7 +74,7 @@ std::string Session::enable(const std::string& number) {
 std::string Session::disable(const std::string& number) {
     for (const StopPoint& point : std::vector(walk_.stops().all()))
         if (number.empty()) (void)walk_.stops().enable(point.number, false);
-    if (!number.empty() && !walk_.stops().enable(stop_number("disable", number), false))
+    if (!number.empty() && !walk_.stops().enable(stop_number("disable", number, walk_.stops()), false))
         no_stop("disable", number);
     return stops_text();
 }
@@ -94,9 +96,10 @@ std::string Session::reasons_text() const {
     for (const StopReason& reason : walk_.reasons()) {
         text += (reason.watches ? "watch " : "breakpoint ") + std::to_string(reason.number) + ": " +
                 harmless(reason.expression);
-        if (reason.watches)
-            text += ": " + value_text(reason.before, false, style_.number) + " → " +
-                    value_text(reason.now, false, style_.number);
+        for (const StopPoint& point : walk_.stops().all())
+            if (reason.watches && point.number == reason.number)
+                text += ": " + value_text(reason.before, point.expression, style_.number) + " → " +
+                        value_text(reason.now, point.expression, style_.number);
         text += "\n";
     }
     return text;
@@ -115,7 +118,7 @@ std::string Session::undisplay(const std::string& number) {
         displays_.clear();
         return "Nothing is displayed any more.\n";
     }
-    const int asked = stop_number("undisplay", number);
+    const int asked = parse_count("undisplay", number, 1, std::numeric_limits<int>::max());
     if (std::erase_if(displays_, [&](const Display& display) { return display.number == asked; }) == 0)
         throw UsageError("undisplay: there is no display " + number);
     return displays_.empty() ? "Nothing is displayed any more.\n" : displays_text();
@@ -124,10 +127,8 @@ std::string Session::undisplay(const std::string& number) {
 std::string Session::displays_text() const {
     std::string text;
     for (const Display& display : displays_)
-        text +=
-            std::to_string(display.number) + ": " + harmless(display.expression.text()) + " = " +
-            value_text(display.expression.value(walk_.here()), display.expression.angle(), style_.number) +
-            "\n";
+        text += std::to_string(display.number) + ": " + harmless(display.expression.text()) + " = " +
+                value_text(display.expression.value(walk_.here()), display.expression, style_.number) + "\n";
     return text;
 }
 

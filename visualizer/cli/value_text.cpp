@@ -4,13 +4,13 @@
 
 namespace rayscope::cli {
 
-std::string value_text(const Value& value, bool angle, const Numbers& number) {
+std::string value_text(const Value& value, const Expression& of, const Numbers& number) {
     if (const auto* condition = std::get_if<bool>(&value)) return *condition ? "true" : "false";
-    if (const auto* x = std::get_if<double>(&value)) return number(*x) + (angle ? "°" : "");
+    if (const auto* x = std::get_if<double>(&value)) return number(*x) + (of.angle() ? "°" : "");
     if (const auto* v = std::get_if<Vec3d>(&value)) {
         static const Paint plain(false);
         Page line(plain);
-        line.line(number.vector(*v));
+        line.line(of.type() == ValueType::colour ? number.colour(*v) : number.vector(*v));
         std::string text = line.text();
         text.pop_back();
         return text;

@@ -5,6 +5,7 @@
 
 namespace rayscope::cli {
 
-[[nodiscard]] std::string value_text(const Value& value, bool angle, const Numbers& number);
+/// @param of whose value it is: angles are in degrees, and a colour of three equal parts is a grey
+[[nodiscard]] std::string value_text(const Value& value, const Expression& of, const Numbers& number);
 
 } // namespace rayscope::cli
