@@ -262,6 +262,16 @@ WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std:
                    hit != nullptr ? hit->boundary.t : infinity<double>, starts_on);
 }
 
+std::optional<WhyNotCell> why_not_cell(const StageSet& stages, const Trace& trace, std::size_t ray,
+                                       std::uint32_t cell) {
+    if (stages.octree() == nullptr) return std::nullopt;
+    const TracedRay& traced = trace.rays.at(ray);
+    const RaySpawned& start = traced.start();
+    const auto* hit = traced.find<BoundaryChosen>();
+    return why_not_cell(*stages.octree(), {start.origin, start.direction},
+                        hit != nullptr ? hit->boundary.t : start.reach, cell);
+}
+
 std::vector<Spans<double>> spans(const Workbench& bench, const Ray<double>& ray) {
     const auto narrowed = [](const SpanEnd& end) {
         return Crossing<double>{double(end.t), end.surface, end.entering};

@@ -16,6 +16,7 @@
 #include "core/image/image.hpp"
 #include "core/image/map.hpp"
 #include "core/image/srgb.hpp"
+#include "core/octree/why_not_cell.hpp"
 #include "core/povray/export.hpp"
 #include "core/scene/expand.hpp"
 #include "core/scene/name_trace.hpp"
@@ -29,6 +30,11 @@
 #include "core/trace/trace_json.hpp"
 #include "core/tracer/render.hpp"
 #include "core/tracer/why_not.hpp"
+#include "core/walk/find.hpp"
+#include "core/walk/quiz.hpp"
+#include "core/walk/refraction_card.hpp"
+#include "core/walk/walk.hpp"
+#include "core/walk/walk_json.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -116,6 +122,10 @@ struct ScreenExtents {
 
 /// Why ray number `ray` of a trace of this workbench did not end on a drawn object (an index into Scene::drawn).
 [[nodiscard]] WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std::size_t object);
+
+/// Why ray number `ray` did not look into a cell of the octree; nothing if `stages` have no octree, or it no such cell.
+[[nodiscard]] std::optional<WhyNotCell> why_not_cell(const StageSet& stages, const Trace& trace,
+                                                     std::size_t ray, std::uint32_t cell);
 
 /// The inside list of each object on a ray's whole line.
 [[nodiscard]] std::vector<Spans<double>> spans(const Workbench& bench, const Ray<double>& ray);

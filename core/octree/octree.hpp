@@ -27,6 +27,15 @@ public:
     void walk(const SlabRay<double>& slabs, Counters& counters, const Reach& reach, const Enter& enter,
               const Watch& watch = {}) const;
 
+    /// A step down from a node to a part of it.
+    struct Descent {
+        const OctreeNode* node;
+        Cell cell; ///< the node's
+        unsigned child;
+    };
+    /// From the root down to a leaf; nothing if there is no leaf of that number. A lone root has no steps.
+    [[nodiscard]] std::optional<std::vector<Descent>> way_to(std::uint32_t wanted) const;
+
     [[nodiscard]] const OctreeStatistics& statistics() const { return statistics_; }
     [[nodiscard]] const Cell& whole() const { return whole_; }
     /// Made ready for walk(), if it is `reliable`.
@@ -162,6 +171,31 @@ void Octree<N>::walk(const SlabRay<double>& slabs, Counters& counters, const Rea
         depth = step.depth + 1U;
         cells[depth] = cells[step.depth].part(step.child);
     }
+}
+
+template <Numbers N>
+std::optional<std::vector<typename Octree<N>::Descent>> Octree<N>::way_to(std::uint32_t wanted) const {
+    if ((root_ & leaf) != 0) {
+        if (all_.empty() || (root_ & ~leaf) != wanted) return std::nullopt;
+        return std::vector<Descent>{};
+    }
+    std::vector<std::pair<Descent, std::size_t>> open; // with the length of the way to it
+    const auto push = [&](const OctreeNode& node, const Cell& cell, std::size_t length) {
+        for (unsigned child = 0; child < 8; ++child) open.push_back({{&node, cell, child}, length});
+    };
+    push(nodes_[root_], whole_, 0);
+    std::vector<Descent> way;
+    while (!open.empty()) {
+        const auto [step, length] = open.back();
+        open.pop_back();
+        way.resize(length);
+        way.push_back(step);
+        if ((step.node->leaves >> step.child & 1U) != 0 && step.node->leaf_of(step.child) == wanted)
+            return way;
+        if ((step.node->divided >> step.child & 1U) != 0)
+            push(nodes_[step.node->node_of(step.child)], step.cell.part(step.child), length + 1);
+    }
+    return std::nullopt;
 }
 
 } // namespace rayscope

@@ -1,11 +1,11 @@
 #include "core/trace/divergence.hpp"
 
 #include "core/trace/explained.hpp"
+#include "core/trace/given.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string_view>
 
 namespace rayscope {
 namespace {
@@ -47,10 +47,11 @@ std::optional<Reason> refusal(const TracedRay& ray, RayKind kind) {
     return std::nullopt;
 }
 
-/// A shadow ray that met something opaque asked no further: of other objects nothing is known.
-bool stopped_early(const TracedRay& ray) {
+/// A shadow ray that is blocked asks no further, and a stage tests what may matter: of other objects nothing is known.
+bool tested_some(const TracedRay& ray) {
     const auto* end = ray.find<RayFinished>();
-    return ray.start().kind == RayKind::shadow && end != nullptr && end->colour == Colour{0};
+    const bool shadow = ray.start().kind == RayKind::shadow;
+    return has<SearchBegan>(ray) || (shadow && end != nullptr && end->colour == Colour{0});
 }
 
 /// The largest component of |a − b|; NaN if one is, which largest_component() would pass over.
@@ -98,7 +99,7 @@ private:
         ++result_.rays;
         if (!complete(a) || !complete(b) || !start(a, b) || !spans(a, b)) return false;
         if (a.start().kind == RayKind::shadow) return visibility(a, b);
-        if (!hit(a, b)) return false;
+        if (!hit(a, b) || !given(a, b)) return false;
         if (has<Missed>(a)) return true;
         const Drift drift = drift_at_hit(a, b);
         return local_light(index, drift) && total(a, b) && follow(index, RayKind::reflected, drift) &&
@@ -119,8 +120,7 @@ private:
             return numbers(Answer::origin, p.origin, q.origin, epsilon_ * length(p.origin)) &&
                    numbers(Answer::direction, p.direction, q.direction, epsilon_ * length(p.direction));
         if (p.kind != RayKind::shadow) return true; // its direction was its parent's answer
-        Drift drift;
-        drift.point = length(p.origin - q.origin);
+        const Drift drift{.point = length(p.origin - q.origin)};
         return numbers(Answer::direction, p.direction, q.direction,
                        explained_to_light(a_.lights[std::size_t(p.light)], p.origin, drift, epsilon_),
                        RayKind::shadow);
@@ -148,7 +148,7 @@ private:
             }
             return true;
         };
-        return agree(in_a, in_b, false, !stopped_early(b)) && agree(in_b, in_a, true, !stopped_early(a));
+        return agree(in_a, in_b, false, !tested_some(b)) && agree(in_b, in_a, true, !tested_some(a));
     }
 
     bool visibility(const TracedRay& a, const TracedRay& b) {
@@ -181,6 +181,19 @@ private:
         t.explained = explained_t(p, a.start(), drift, t.bounds);
         return judged(std::move(t), magnitude(p.boundary.t)) &&
                numbers(Answer::normal, p.normal, q.normal, infinity<double>);
+    }
+
+    // Not calculated: the same in all numbers, and another only where the scene is.
+    bool given(const TracedRay& a, const TracedRay& b) {
+        const auto found = first_given_difference(a, b);
+        if (!found) return true;
+        Difference d{Answer::given, index_};
+        d.what = found->what;
+        d.light = found->light;
+        d.first = found->first;
+        d.second = found->second;
+        d.is_vector = true;
+        return differs(std::move(d));
     }
 
     [[nodiscard]] static Drift drift_at_hit(const TracedRay& a, const TracedRay& b) {

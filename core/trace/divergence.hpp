@@ -22,6 +22,7 @@ enum class Answer : std::uint8_t {
     shadow_ray,    ///< whether a light is asked for at all
     total,         ///< total internal reflection, or none
     followed,      ///< whether a reflected or refracted ray goes on; and if not, why
+    given,         ///< what the scene gives: a colour or a coefficient
     weight,        ///< the share of the pixel that a ray carries
     origin,        ///< of the first ray
     direction,     ///< of any ray
@@ -40,6 +41,7 @@ struct Difference {
     Id light = none;             ///< shadow_ray and cosines: the same in both
     std::string object = {};     ///< spans: its name, …
     Id node = none;              ///< … and the node's index
+    std::string_view what = {};  ///< given: what
     Vec3d first{0}, second{0};   ///< numbers and counts; those of one component stand in x
     bool is_vector = false;
     double size = 0;              ///< the largest component of |first − second|

@@ -53,6 +53,9 @@ template <Listed S> Json value_of(const S& structure) {
 
 } // namespace
 
+Json to_json(const Event& event) { return value_of(event); }
+Json number_json(double number) { return value_of(number); }
+
 Json to_json(const Trace& trace) {
     Json json = value_of(trace);
     json["format"] = trace_format_name;

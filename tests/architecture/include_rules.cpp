@@ -36,6 +36,7 @@ const std::map<std::string, Folders, std::less<>> stands_on = {
     {"cases", {"tracer", "scene"}},
     {"effects", {"accuracy"}},
     {"povray", {"scene"}},
+    {"walk", {"tracer", "scene"}},
 };
 
 bool reaches(std::string_view from, std::string_view to) {

@@ -123,8 +123,8 @@ TEST(Compare, ASessionComparesItsRay) {
     const Trace pixel = trace_pixel(bench, 512, 512);
     cli::Session session(bench, pixel, style);
     EXPECT_THAT(session.answer("compare float,textbook"), HasSubstr("what is seen of light sun"));
-    EXPECT_THAT(session.answer("compare"), HasSubstr("compare: '' is no value of an axis"));
-    EXPECT_THAT(session.answer("compare half"), HasSubstr("compare: 'half' is no value of an axis"));
+    EXPECT_THAT(session.answer("compare"), HasSubstr("diff: expected numbers or limits"));
+    EXPECT_THAT(session.answer("compare half"), HasSubstr("diff: 'half' is no value of an axis"));
     const Trace given = trace_ray(bench, {{0, 6, 160}, {0, 0, -2}});
     EXPECT_THAT(cli::Session(bench, given, style).answer("compare double"),
                 HasSubstr("None: every number is the same"));

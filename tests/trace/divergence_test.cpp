@@ -74,6 +74,35 @@ void expect_divergence(const Comparison& comparison, Answer answer, int ray) {
     EXPECT_EQ(comparison.divergence->ray, ray);
 }
 
+TEST(Divergence, WhatAStageSparedIsNotMissing) {
+    const Trace scanned = simple();
+    Trace searched = simple();
+    auto& events = searched.rays[0].events;
+    events[1] = SearchBegan{StageKind::octree, 2}; // instead of the node and its span
+    events[2] = SearchEnded{};
+    EXPECT_FALSE(compare(scanned, searched, in_double, in_double).divergence);
+    events[1] = events[2] = AmbientLit{};
+    EXPECT_EQ(compare(scanned, searched, in_double, in_double).divergence->answer, Answer::spans);
+}
+
+TEST(Divergence, WhatTheSceneGivesIsAnAnswer) {
+    const auto difference = [](const auto& edit) {
+        Trace edited = simple();
+        edit(edited);
+        return compare(simple(), edited, in_double, in_double).divergence;
+    };
+    const auto light = difference([](Trace& trace) { event<LightLit>(trace, 0).intensity = Colour{0.5}; });
+    ASSERT_TRUE(light);
+    EXPECT_EQ(light->answer, Answer::given);
+    EXPECT_EQ(light->what, "the intensity");
+    EXPECT_EQ(light->light, 0);
+    EXPECT_EQ(difference([](Trace& trace) { event<Missed>(trace, 2).background = Colour{1}; })->ray, 2);
+    EXPECT_EQ(difference([](Trace& trace) { event<AmbientLit>(trace, 0).material = Colour{1}; })->what,
+              "the material's ambient coefficient");
+    EXPECT_EQ(difference([](Trace& trace) { event<Reflected>(trace, 0).coefficient = Colour{0.1}; })->what,
+              "the coefficient of the reflected ray");
+}
+
 TEST(Divergence, EqualTracesHaveNone) {
     const Comparison comparison = compared([](Trace&) {});
     EXPECT_FALSE(comparison.divergence);

@@ -89,6 +89,7 @@ std::string question_text(const Trace& first, const Trace& second, const Differe
     case Answer::shadow_ray: return "whether a shadow ray asks for " + light;
     case Answer::total: return "whether reflection is total";
     case Answer::followed: return std::string("whether a ") + name_of(difference.next) + " ray follows";
+    case Answer::given: return std::string(difference.what) + (light.empty() ? "" : " of ") + light;
     case Answer::weight: return "the ray's weight";
     case Answer::origin: return "the ray's origin";
     case Answer::direction:
@@ -127,6 +128,7 @@ std::string answer_text(const Trace& trace, const Difference& difference, bool i
     case Answer::total: return ray.find<TotallyReflected>() == nullptr ? "it is not" : "it is";
     case Answer::followed: return follow_text(ray, difference.next, number);
     case Answer::visibility: return visibility_text(trace, ray, number);
+    case Answer::given: return number.colour(value);
     default: return difference.is_vector ? number.vector(value) : number(value.x);
     }
 }

@@ -84,10 +84,26 @@ int parse_count(const std::string& option, const std::string& text, int least, i
     return *number;
 }
 
+double parse_number(const std::string& option, const std::string& text) {
+    const auto number = number_of<double>(text);
+    if (!number || !is_finite(*number)) expected(option, "a finite number", text);
+    return *number;
+}
+
 double parse_positive(const std::string& option, const std::string& text) {
     const auto number = number_of<double>(text);
     if (!number || !is_finite(*number) || !(*number > 0)) expected(option, "a number above 0", text);
     return *number;
+}
+
+Heat parse_heat(const std::string& text) {
+    std::vector<std::string_view> known;
+    for (const HeatName& heat : heat_names) {
+        if (text == heat.name) return Heat(&heat - heat_names.data());
+        known.push_back(heat.name);
+    }
+    throw UsageError("--heat: expected " + one_of(known) + ", found " + in_quotes(text) +
+                     did_you_mean(text, known));
 }
 
 } // namespace rayscope::cli

@@ -19,7 +19,13 @@ namespace rayscope::cli {
 /// A whole number within limits.
 [[nodiscard]] int parse_count(const std::string& option, const std::string& text, int least, int most);
 
+/// A finite number.
+[[nodiscard]] double parse_number(const std::string& option, const std::string& text);
+
 /// A finite number above 0.
 [[nodiscard]] double parse_positive(const std::string& option, const std::string& text);
+
+/// The name of what a heat map tells.
+[[nodiscard]] Heat parse_heat(const std::string& text);
 
 } // namespace rayscope::cli

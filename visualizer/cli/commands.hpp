@@ -8,6 +8,8 @@ namespace rayscope::cli {
 
 [[nodiscard]] int step(const StepOptions& options);
 [[nodiscard]] int trace(const TraceOptions& options);
+[[nodiscard]] int find(const FindCommandOptions& options);
+[[nodiscard]] int diff(const DiffOptions& options);
 [[nodiscard]] int render(const RenderCommandOptions& options);
 [[nodiscard]] int explain(const ExplainOptions& options);
 [[nodiscard]] int extents(const ExtentsOptions& options);

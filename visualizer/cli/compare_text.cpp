@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace rayscope::cli {
@@ -18,18 +19,16 @@ bool is_number(Answer answer) { return answer >= Answer::weight && answer != Ans
 
 class Comparer {
 public:
-    Comparer(const Trace& first, const Trace& second, const Configuration& own, const Configuration& other,
-             const StepStyle& style)
-        : first_(first), second_(second), own_(own), other_(other), style_(style), page_(style.paint) {
-        const Precision of_first = precision_of(own.numbers.scalar);
-        const Precision of_second = precision_of(other.numbers.scalar);
-        narrower_ = of_first.epsilon < of_second.epsilon ? other.numbers.scalar : own.numbers.scalar;
-        result_ = compare(first, second, of_first, of_second);
+    Comparer(const Run& a, const Run& b, const StepStyle& style)
+        : first_(a.trace), second_(b.trace), names_{a.name, b.name}, style_(style), page_(style.paint) {
+        const Precision of_first = precision_of(a.scalar), of_second = precision_of(b.scalar);
+        narrower_ = of_first.epsilon < of_second.epsilon ? b.scalar : a.scalar;
+        result_ = compare(first_, second_, of_first, of_second);
     }
 
     std::string text() {
-        page_.item("A", name_of(own_) + ": the scene's own");
-        page_.item("B", name_of(other_));
+        page_.item("A", names_[0]);
+        page_.item("B", names_[1]);
         if (result_.divergence) {
             page_.rule(style_.paint.bold("The first divergence"));
             add(*result_.divergence);
@@ -101,7 +100,7 @@ private:
     }
 
     const Trace &first_, &second_;
-    const Configuration &own_, &other_;
+    std::array<std::string, 2> names_;
     const StepStyle& style_;
     Page page_;
     ScalarType narrower_ = ScalarType::float64;
@@ -126,10 +125,8 @@ Trace traced_again(const Workbench& bench, const Trace& trace, const Configurati
     return trace_ray(bench, configuration, {start.origin, start.direction});
 }
 
-std::string compare_text(const Workbench& bench, const Trace& trace, const Configuration& other,
-                         const StepStyle& style) {
-    const Trace second = traced_again(bench, trace, other);
-    return Comparer(trace, second, own_configuration(bench.scene), other, style).text();
+std::string compare_text(const Run& first, const Run& second, const StepStyle& style) {
+    return Comparer(first, second, style).text();
 }
 
 } // namespace rayscope::cli

@@ -13,8 +13,13 @@ namespace rayscope::cli {
 [[nodiscard]] Trace traced_again(const Workbench& bench, const Trace& trace,
                                  const Configuration& configuration);
 
-/// Where the trace, which is the scene's own, and the one with another configuration part, or that they do not.
-[[nodiscard]] std::string compare_text(const Workbench& bench, const Trace& trace, const Configuration& other,
-                                       const StepStyle& style);
+/// One of two runs.
+struct Run {
+    std::string name;
+    const Trace& trace;
+    ScalarType scalar;
+};
+/// Where two runs of the same ray part, or that they do not.
+[[nodiscard]] std::string compare_text(const Run& first, const Run& second, const StepStyle& style);
 
 } // namespace rayscope::cli

@@ -13,4 +13,9 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A line of a script that can't be meant; what() begins with the script's name and the line: exit code 2.
+struct ScriptError : UsageError {
+    using UsageError::UsageError;
+};
+
 } // namespace rayscope::cli

@@ -7,7 +7,7 @@
 
 namespace rayscope::cli {
 
-LineInput::LineInput() = default;
+LineInput::LineInput(Completer) {}
 
 std::optional<std::string> LineInput::read(const std::string& prompt) {
     std::fputs(prompt.c_str(), stdout);

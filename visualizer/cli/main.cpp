@@ -21,6 +21,8 @@ int run(const cli::Help& help) {
 }
 int run(const cli::StepOptions& options) { return cli::step(options); }
 int run(const cli::TraceOptions& options) { return cli::trace(options); }
+int run(const cli::FindCommandOptions& options) { return cli::find(options); }
+int run(const cli::DiffOptions& options) { return cli::diff(options); }
 int run(const cli::RenderCommandOptions& options) { return cli::render(options); }
 int run(const cli::ExplainOptions& options) { return cli::explain(options); }
 int run(const cli::ExtentsOptions& options) { return cli::extents(options); }
@@ -35,8 +37,11 @@ int guarded(int count, const char* const* arguments) {
     } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", cli::harmless(error.what()).c_str());
         return cli::wrong_usage;
+    } catch (const cli::ScriptError& error) {
+        std::fprintf(stderr, "%s\n", cli::harmless_lines(error.what()).c_str());
+        return cli::wrong_usage;
     } catch (const cli::UsageError& error) {
-        std::fprintf(stderr, "rayscope: %s\n", cli::harmless(error.what()).c_str());
+        std::fprintf(stderr, "rayscope: %s\n", cli::harmless_lines(error.what()).c_str());
         return cli::wrong_usage;
     } catch (const std::bad_alloc&) {
         std::fputs("rayscope: not enough memory\n", stderr);

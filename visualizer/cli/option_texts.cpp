@@ -41,9 +41,53 @@ CLI::App_p make_step(Texts& texts) {
         command, "--compare", texts.compare, "LIST",
         "only where the same ray with other numbers or limits, such as float,textbook, first goes another "
         "way; no picture");
+    add_text(command, "--script", texts.script, "FILE",
+             "carry out the commands of a file, a line each, as they are typed on a terminal; -: of standard "
+             "input");
+    command.add_flag("--json", texts.json,
+                     "commands come from --script or standard input; each is answered by one line of JSON");
+    command.add_flag("--quiz", texts.quiz, "predict each decision of the rays before it is shown");
     command.footer("On a terminal it then asks what to show next; `help` there lists the commands.\n\n"
                    "Example:\n  rayscope step glass_bowl --pixel 235,250 --digits 4\n"
                    "  rayscope step far_tiny_sphere --compare float,textbook\n");
+    return made;
+}
+
+CLI::App_p make_find(Texts& texts) {
+    auto made = std::make_shared<CLI::App>("find the pixels whose rays do something", "find");
+    CLI::App& command = *made;
+    add_text(command, "SCENE", texts.scene, "", scene_help);
+    add_text(command, "--where", texts.where, "CONDITION",
+             "what an event of the pixel's trace must be, such as 'tir && depth >= 3', 'object lens', "
+             "'shadow-blocked'; "
+             "`info fields` in `rayscope step` lists the words");
+    add_text(command, "--size", texts.size, "WxH", "size of the image, instead of the scene's");
+    add_text(command, "--stage", texts.stage, "NAME",
+             "find hits by this stage, and let conditions ask for its cells");
+    add_text(command, "-o", texts.output, "FILE",
+             "a mask: .png, white where it holds; or .pfm, at how many events");
+    add_text(command, "--list", texts.listed, "N", "how many pixels to name, 0 to 100000 (12)");
+    add_text(command, "--threads", texts.threads, "N",
+             "how many work at it, instead of one for each processor");
+    command.add_flag("--json", texts.json, "one line of JSON");
+    command.footer("Example:\n  rayscope find prism --where 'tir && depth >= 3' -o tir.png\n");
+    return made;
+}
+
+CLI::App_p make_diff(Texts& texts) {
+    auto made = std::make_shared<CLI::App>("show where two runs of one ray first part", "diff");
+    CLI::App& command = *made;
+    add_text(command, "SCENE", texts.scene, "", scene_help);
+    add_text(command, "OTHER", texts.other, "", "an edited scene, whose ray of the same pixel is compared");
+    add_text(command, "--pixel", texts.pixel, "X,Y",
+             "the pixel to trace; without it the scene's own, or its middle");
+    add_text(command, "--ray", texts.ray, "ox,oy,oz,dx,dy,dz", "a ray instead: origin and direction");
+    add_text(command, "--config", texts.configurations, "LIST",
+             "other numbers or limits, such as float,textbook,depth=3");
+    add_text(command, "--stage", texts.stage, "NAME", "hits found by this stage, such as octree");
+    add_text(command, "--digits", texts.digits, "N", "significant digits of numbers, 1 to 17 (6)");
+    command.footer("Example:\n  rayscope diff glass_bowl edited.toml --pixel 235,250\n"
+                   "  rayscope diff far_tiny_sphere --config float,textbook\n");
     return made;
 }
 
@@ -51,7 +95,8 @@ CLI::App_p make_trace(Texts& texts) {
     auto made = std::make_shared<CLI::App>("write everything that one ray did to a file", "trace");
     CLI::App& command = *made;
     add_ray_options(command, texts);
-    add_text(command, "-o", texts.output, "FILE", "the file: .json, or .vtm for ParaView");
+    add_text(command, "-o", texts.output, "FILE",
+             "the file: .json; .html, a page to walk through it; .vtm for ParaView");
     command.footer("Example:\n  rayscope trace glass_bowl --ray 0,0.2,5,0,0,-1 -o ray.json\n");
     return made;
 }
@@ -161,7 +206,8 @@ CLI::App_p make_accuracy(Texts& texts) {
 } // namespace
 
 Commands make_commands(Texts& texts) {
-    return {make_step(texts),    make_trace(texts),  make_render(texts),  make_explain(texts),
+    return {make_step(texts),    make_find(texts),   make_diff(texts),
+            make_trace(texts),   make_render(texts), make_explain(texts),
             make_extents(texts), make_export(texts), make_accuracy(texts)};
 }
 

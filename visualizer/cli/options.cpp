@@ -72,6 +72,14 @@ StepOptions step_options(const Texts& texts) {
     if (texts.size) options.size = parse_size(*texts.size);
     options.why = texts.why;
     options.compare = texts.compare;
+    options.script = texts.script;
+    options.json = texts.json;
+    options.quiz = texts.quiz;
+    if (texts.quiz && texts.script) throw UsageError("--quiz and --script exclude each other");
+    for (const auto& [given, name] :
+         {std::pair(texts.quiz, "--quiz"), {texts.json, "--json"}, {texts.script.has_value(), "--script"}})
+        if (given && (texts.why || texts.compare))
+            throw UsageError(std::string(name) + " starts a conversation; --why and --compare only answer");
     if (texts.compare && texts.stage)
         throw UsageError("--compare and --stage exclude each other: other numbers than double stable scan");
     if (texts.compare && texts.why) throw UsageError("--compare and --why exclude each other");
@@ -82,20 +90,42 @@ StepOptions step_options(const Texts& texts) {
     return options;
 }
 
+FindCommandOptions find_options(const Texts& texts) {
+    FindCommandOptions options;
+    options.scene = scene_text(texts);
+    if (!texts.scene) throw UsageError("find needs a scene: rayscope find SCENE --where CONDITION");
+    if (!texts.where) throw UsageError("find needs to know what to look for: --where 'tir && depth >= 3'");
+    options.where = *texts.where;
+    options.by_stage = texts.stage.has_value();
+    options.stage = asked_stage(texts);
+    options.output = texts.output;
+    options.json = texts.json;
+    if (texts.size) options.size = parse_size(*texts.size);
+    if (texts.listed) options.listed = parse_count("--list", *texts.listed, 0, 100000);
+    if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);
+    return options;
+}
+
+DiffOptions diff_options(const Texts& texts) {
+    DiffOptions options;
+    options.other = texts.other;
+    options.configuration = texts.configurations;
+    options.stage = texts.stage;
+    if (!texts.scene) throw UsageError("diff needs a scene: rayscope diff SCENE OTHER");
+    if (int(texts.other.has_value()) + int(texts.configurations.has_value()) + int(texts.stage.has_value()) !=
+        1)
+        throw UsageError("diff needs one other run: another scene, --config LIST or --stage NAME");
+    Texts ray = texts;
+    ray.stage.reset();
+    options.choice = ray_choice(ray);
+    if (texts.digits) options.digits = parse_count("--digits", *texts.digits, 1, 17);
+    return options;
+}
+
 std::string needed_output(const Texts& texts, const char* command, const char* example) {
     if (!texts.output)
         throw UsageError(std::string(command) + " needs to know where to write: -o " + example);
     return *texts.output;
-}
-
-Heat heat_of(const std::string& text) {
-    std::vector<std::string_view> known;
-    for (const HeatName& heat : heat_names) {
-        if (text == heat.name) return Heat(&heat - heat_names.data());
-        known.push_back(heat.name);
-    }
-    throw UsageError("--heat: expected " + one_of(known) + ", found " + in_quotes(text) +
-                     did_you_mean(text, known));
 }
 
 ExplainOptions explain_options(const Texts& texts) {
@@ -132,7 +162,7 @@ RenderCommandOptions render_options(const Texts& texts) {
     options.statistics = texts.statistics;
     options.configuration = texts.configurations;
     options.stage = asked_stage(texts);
-    if (texts.heat) options.heat = heat_of(*texts.heat);
+    if (texts.heat) options.heat = parse_heat(*texts.heat);
     options.effects = texts.effects;
     if (texts.samples) options.samples = parse_count("--samples", *texts.samples, 1, most_samples);
     if (texts.size) options.size = parse_size(*texts.size);
@@ -232,12 +262,11 @@ Options parse_options(int count, const char* const* arguments) {
         throw UsageError(text.substr(0, text.find(':')) +
                          ": expected a value after it, found none; rayscope " + command.get_name() +
                          " --help tells more");
-    } catch (const CLI::ConversionError& error) { // only a flag's value is converted there
-        const std::string text = error.what();
-        std::string flag = command.get_name() == "step" ? "--no-png" : "--cases";
-        for (const char* name : {"--cost", "--energy"})
-            if (text.find(name) != std::string::npos) flag = name;
-        throw UsageError(flag + " takes no value");
+    } catch (const CLI::ConversionError&) { // only a flag's value is converted there
+        for (const std::string& word : words)
+            if (const auto value = word.find('='); word.starts_with("--") && value != std::string::npos)
+                throw UsageError(word.substr(0, value) + " takes no value");
+        throw UsageError("a flag takes no value; rayscope " + command.get_name() + " --help tells more");
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + "; rayscope " + command.get_name() +
                          " --help tells more");
@@ -245,6 +274,8 @@ Options parse_options(int count, const char* const* arguments) {
     refuse_unknown(command);
     refuse_repeated(command);
     if (command.get_name() == "step") return step_options(texts);
+    if (command.get_name() == "find") return find_options(texts);
+    if (command.get_name() == "diff") return diff_options(texts);
     if (command.get_name() == "render") return render_options(texts);
     if (command.get_name() == "explain") return explain_options(texts);
     if (command.get_name() == "extents") return extents_options(texts);

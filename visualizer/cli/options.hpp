@@ -34,6 +34,27 @@ struct StepOptions {
     std::optional<std::string> why; ///< the drawn object of which to tell only why the rays did not end on it
     std::optional<std::string>
         compare; ///< the configuration, as rayscope::configuration reads it, to compare with
+    std::optional<std::string> script; ///< a file of commands; "-": standard input
+    bool json = false, quiz = false;
+};
+
+struct FindCommandOptions {
+    std::string scene, where;
+    std::optional<Size> size;
+    bool by_stage = false;
+    std::optional<StageChoice> stage;  ///< none: the quickest
+    std::optional<std::string> output; ///< the mask
+    int threads = 0, listed = 12;
+    bool json = false;
+};
+
+/// One of the three says what the second run is.
+struct DiffOptions {
+    RayChoice choice;
+    std::optional<std::string> other;         ///< a scene
+    std::optional<std::string> configuration; ///< as rayscope::configuration reads it
+    std::optional<std::string> stage;
+    int digits = 6;
 };
 
 struct TraceOptions {
@@ -90,8 +111,9 @@ struct Help {
     std::string text;
 };
 
-using Options = std::variant<Help, StepOptions, TraceOptions, RenderCommandOptions, ExplainOptions,
-                             ExtentsOptions, ExportOptions, AccuracyCommandOptions, CasesOptions>;
+using Options =
+    std::variant<Help, StepOptions, FindCommandOptions, DiffOptions, TraceOptions, RenderCommandOptions,
+                 ExplainOptions, ExtentsOptions, ExportOptions, AccuracyCommandOptions, CasesOptions>;
 
 /// Throws UsageError.
 [[nodiscard]] Options parse_options(int count, const char* const* arguments);

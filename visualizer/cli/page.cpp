@@ -66,6 +66,13 @@ std::string harmless(std::string_view text) {
     return result;
 }
 
+std::string harmless_lines(std::string_view text) {
+    std::string result;
+    for (const std::string_view line : split(text, "\n"))
+        result += (result.empty() ? "" : "\n") + harmless(line);
+    return result;
+}
+
 void Page::rule(const std::string& text) {
     std::string rest;
     for (std::size_t i = columns(text) + 4; i < page_width; ++i) rest += "─";

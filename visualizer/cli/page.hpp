@@ -18,6 +18,8 @@ inline constexpr const char* glue = "\u00A0";
 
 /// Of a text from outside: what a terminal would obey, and what is no UTF-8, becomes '?'.
 [[nodiscard]] std::string harmless(std::string_view text);
+/// The same line by line.
+[[nodiscard]] std::string harmless_lines(std::string_view text);
 
 /// A page that grows downwards. Each text given is wrapped, and its further lines are indented to where it began.
 class Page {

@@ -97,7 +97,7 @@ const char* how_to_draw() {
            "libvtk9-dev)";
 }
 
-void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::optional<Size> size) {
+void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::optional<Size> size, int ray) {
     const IgnoreInterrupts patience;
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "trace.json";
@@ -111,6 +111,10 @@ void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::opti
                                        "-o",
                                        output.string()};
     add_size(arguments, size);
+    if (ray != none) {
+        arguments.emplace_back("--ray");
+        arguments.push_back(std::to_string(ray));
+    }
     run_or_throw(std::move(arguments));
 }
 

@@ -17,8 +17,9 @@ namespace rayscope::cli {
 enum class Drawing { png, vtm };
 
 /// Has a trace drawn, and waits for it. The program's own messages go to stderr. Throws std::runtime_error if it fails.
+/// @param ray of a picture: the ray in front; none: all alike
 void draw(Drawing drawing, const Trace& trace, const std::filesystem::path& output,
-          std::optional<Size> size = {});
+          std::optional<Size> size = {}, int ray = none);
 
 /// Has a map drawn with its scale. Throws std::runtime_error.
 void draw_heat(const Map& map, const std::string& title, const std::filesystem::path& output);

@@ -2,6 +2,7 @@
 
 #include "visualizer/cli/commands.hpp"
 #include "visualizer/cli/compare_text.hpp"
+#include "visualizer/cli/conversation.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/output_check.hpp"
 #include "visualizer/cli/picture_process.hpp"
@@ -72,7 +73,7 @@ int step(const StepOptions& options) {
     if (options.why) asked_for = find_drawn(bench.scene, *options.why);
     const Trace trace = trace_choice(bench, options.choice);
     const StepStyle style{Numbers(options.digits), Paint(wants_colours(STDOUT_FILENO))};
-    const bool interactive = isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
+    const bool interactive = !options.script && isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1;
 
     if (asked_for) {
         print(why_list(bench, trace, *asked_for, style));
@@ -82,10 +83,21 @@ int step(const StepOptions& options) {
     if (options.compare) {
         const Configuration other =
             chosen_configuration("--compare", *options.compare, own_configuration(bench.scene));
-        print(title(trace, style, true) + compare_text(bench, trace, other, style));
+        const Trace second = traced_again(bench, trace, other);
+        const Configuration own = own_configuration(bench.scene);
+        print(title(trace, style, true) +
+              compare_text({name_of(own) + ": the scene's own", trace, own.numbers.scalar},
+                           {name_of(other), second, other.numbers.scalar}, style));
         return done;
     }
+    Session session(bench, trace, style, options.choice);
+    if (options.json) return converse_in_json(session, options);
     print(title(trace, style, false) + tree_text(trace, style));
+    if (options.quiz || options.script || (!interactive && input_waits())) {
+        const int code = converse(session, options, interactive);
+        if (options.picture_asked_for) add_picture(trace, options);
+        return code;
+    }
     if (interactive) {
         print(ray_text(trace, 0, style));
     } else {
@@ -93,7 +105,7 @@ int step(const StepOptions& options) {
     }
     print(result_text(trace, style));
     add_picture(trace, options);
-    if (interactive) Session(bench, trace, style).run();
+    if (interactive) converse_on_terminal(session);
     return done;
 }
 

@@ -14,6 +14,9 @@ struct StepStyle {
 /// The recursion as an indented tree; `current` is marked.
 [[nodiscard]] std::string tree_text(const Trace& trace, const StepStyle& style, int current = none);
 
+/// What became of a ray, such as "leaves bowl at t = 1.2".
+[[nodiscard]] std::string ray_summary(const Trace& trace, int ray, const Numbers& number);
+
 /// One ray: where it goes, what it meets, how it is lit, what it spawns, and its sum.
 [[nodiscard]] std::string ray_text(const Trace& trace, int ray, const StepStyle& style);
 

@@ -106,6 +106,10 @@ private:
 
 } // namespace
 
+std::string ray_summary(const Trace& trace, int ray, const Numbers& number) {
+    return what_happened(trace, trace.rays[std::size_t(ray)], number);
+}
+
 std::string tree_text(const Trace& trace, const StepStyle& style, int current) {
     Page page(style.paint);
     const std::size_t count = trace.rays.size();

@@ -1,0 +1,21 @@
+#pragma once
+// The words of an expression.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rayscope {
+
+struct Token {
+    enum class Kind : char { number, word, text, symbol, end };
+    Kind kind = Kind::end;
+    std::string text;       ///< of symbols the plain spelling, such as "&&" for "∧"
+    double number = 0;      ///< angles with a unit: in degrees
+    std::size_t column = 1; ///< in characters, from 1
+};
+
+/// The last one is the end. Throws ConditionError.
+[[nodiscard]] std::vector<Token> tokens_of(const std::string& text);
+
+} // namespace rayscope
