@@ -36,9 +36,8 @@ std::optional<Reason> refusal(const TracedRay& ray, RayKind kind) {
 
 /// A shadow ray that is blocked asks no further, and a stage tests what may matter: of other objects nothing is known.
 bool tested_some(const TracedRay& ray) {
-    const auto* end = ray.find<RayFinished>();
-    const bool shadow = ray.start().kind == RayKind::shadow;
-    return has<SearchBegan>(ray) || (shadow && end != nullptr && end->colour == Colour{0});
+    const auto* end = ray.start().kind == RayKind::shadow ? ray.find<RayFinished>() : nullptr;
+    return has<SearchBegan>(ray) || (end != nullptr && end->colour == Colour{0});
 }
 
 /// The largest component of |a − b|; NaN if one is, which largest_component() would pass over.
@@ -107,7 +106,8 @@ private:
             return numbers(Answer::origin, p.origin, q.origin, epsilon_ * length(p.origin)) &&
                    numbers(Answer::direction, p.direction, q.direction, epsilon_ * length(p.direction));
         if (p.kind != RayKind::shadow) return true; // its direction was its parent's answer
-        const Drift drift{.point = length(p.origin - q.origin)};
+        Drift drift;
+        drift.point = length(p.origin - q.origin);
         return numbers(Answer::direction, p.direction, q.direction,
                        explained_to_light(a_.lights[std::size_t(p.light)], p.origin, drift, epsilon_),
                        RayKind::shadow);
