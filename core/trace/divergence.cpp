@@ -65,9 +65,9 @@ Inside inside_of(const Trace& trace, const TracedRay& ray) {
     return inside;
 }
 
-class Walk {
+class SideBySide {
 public:
-    Walk(const Trace& a, const Trace& b, Precision of_a, Precision of_b)
+    SideBySide(const Trace& a, const Trace& b, Precision of_a, Precision of_b)
         : a_(a), b_(b), of_a_(of_a), of_b_(of_b), epsilon_(std::max(of_a.epsilon, of_b.epsilon)) {}
 
     Comparison compared() {
@@ -294,7 +294,7 @@ private:
 } // namespace
 
 Comparison compare(const Trace& first, const Trace& second, Precision of_first, Precision of_second) {
-    return Walk(first, second, of_first, of_second).compared();
+    return SideBySide(first, second, of_first, of_second).compared();
 }
 
 } // namespace rayscope

@@ -37,7 +37,8 @@ Ball shown_ball(const Workbench& bench, const Trace& trace, const std::set<std::
     if (first != nullptr) box.include(first->point);
     for (std::size_t i = 0; i < bench.scene.drawn.size(); ++i) {
         const Box<double>& bounds = bench.world.objects[i].bounds;
-        if (!bounds.bounded() || !touched.contains(object_title(bench.scene, bench.scene.drawn[i]))) continue;
+        const bool counts = touched.empty() || touched.contains(object_title(bench.scene, bench.scene.drawn[i]));
+        if (!bounds.bounded() || !counts) continue;
         const double size = length(bounds.high - bounds.low);
         if (travelled > 0 && size > 8 * travelled) continue;
         box = united(box, bounds);
