@@ -37,9 +37,9 @@ const tree = (() => {
       const share = make('span', { class: 'share' }, kind === 'shadow' ? '' : shown(weight(ray), 2));
       const made_row = make('div', { class: `row ${kind}${future}`, role: 'treeitem', id: 'row-' + ray, 'data-ray': ray, 'aria-level': level + 1,
         'aria-selected': ray === walk.ray, title: `${ray} ${kind}, depth ${start(ray).depth}, weight ${shown(weight(ray))}` },
-        share, `${ray} ${kind} ${becameOf(ray)}`);
+        make('span', { class: 'name' }, `${ray} ${kind} ${becameOf(ray)}`), share);
       made_row.style.top = line * rowHeight + 'px';
-      made_row.style.paddingLeft = 6 + Math.min(level, 14) * 13 + 'px';
+      made_row.style.paddingLeft = 6 + Math.min(level, 10) * 12 + 'px';
       made.push(made_row);
     }
     inner.replaceChildren(...made);
