@@ -49,9 +49,8 @@ std::optional<Reason> refusal(const TracedRay& ray, RayKind kind) {
 
 /// A shadow ray that is blocked asks no further, and a stage tests what may matter: of other objects nothing is known.
 bool tested_some(const TracedRay& ray) {
-    const auto* end = ray.find<RayFinished>();
-    const bool shadow = ray.start().kind == RayKind::shadow;
-    return has<SearchBegan>(ray) || (shadow && end != nullptr && end->colour == Colour{0});
+    const auto* end = ray.start().kind == RayKind::shadow ? ray.find<RayFinished>() : nullptr;
+    return has<SearchBegan>(ray) || (end != nullptr && end->colour == Colour{0});
 }
 
 /// The largest component of |a − b|; NaN if one is, which largest_component() would pass over.
@@ -79,9 +78,9 @@ Inside inside_of(const Trace& trace, const TracedRay& ray) {
     return inside;
 }
 
-class Walk {
+class SideBySide {
 public:
-    Walk(const Trace& a, const Trace& b, Precision of_a, Precision of_b)
+    SideBySide(const Trace& a, const Trace& b, Precision of_a, Precision of_b)
         : a_(a), b_(b), of_a_(of_a), of_b_(of_b), epsilon_(std::max(of_a.epsilon, of_b.epsilon)) {}
 
     Comparison compared() {
@@ -120,7 +119,8 @@ private:
             return numbers(Answer::origin, p.origin, q.origin, epsilon_ * length(p.origin)) &&
                    numbers(Answer::direction, p.direction, q.direction, epsilon_ * length(p.direction));
         if (p.kind != RayKind::shadow) return true; // its direction was its parent's answer
-        const Drift drift{.point = length(p.origin - q.origin)};
+        Drift drift;
+        drift.point = length(p.origin - q.origin);
         return numbers(Answer::direction, p.direction, q.direction,
                        explained_to_light(a_.lights[std::size_t(p.light)], p.origin, drift, epsilon_),
                        RayKind::shadow);
@@ -305,7 +305,7 @@ private:
 } // namespace
 
 Comparison compare(const Trace& first, const Trace& second, Precision of_first, Precision of_second) {
-    return Walk(first, second, of_first, of_second).compared();
+    return SideBySide(first, second, of_first, of_second).compared();
 }
 
 } // namespace rayscope

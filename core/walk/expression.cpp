@@ -1,6 +1,6 @@
 #include "core/walk/expression.hpp"
 
-#include "core/walk/parse_expression.hpp"
+#include "core/walk/parsed_expression.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,11 +57,11 @@ Value calculate(Operator what, const Value& a, const Value& b) {
 
 } // namespace
 
-ConditionError::ConditionError(std::size_t at, const std::string& message)
+WrongExpression::WrongExpression(std::size_t at, const std::string& message)
     : std::runtime_error("column " + std::to_string(at) + ": " + message), column(at) {}
 
 Expression::Expression(const std::string& text, const Vocabulary& vocabulary)
-    : text_(text), nodes_(parse_expression(text, vocabulary)) {}
+    : text_(text), nodes_(parsed_expression(text, vocabulary)) {}
 
 bool Expression::holds(const SeenEvent& seen) const { return is_true(value(seen)); }
 

@@ -12,8 +12,8 @@
 namespace rayscope {
 
 /// An expression that can't be read. what() begins with "column N: ".
-struct ConditionError : std::runtime_error {
-    ConditionError(std::size_t column, const std::string& message);
+struct WrongExpression : std::runtime_error {
+    WrongExpression(std::size_t column, const std::string& message);
     std::size_t column; ///< in characters, from 1
 };
 
@@ -27,7 +27,7 @@ struct Vocabulary {
 
 class Expression {
 public:
-    /// Throws ConditionError.
+    /// Throws WrongExpression.
     explicit Expression(const std::string& text, const Vocabulary& vocabulary = {});
 
     [[nodiscard]] const std::string& text() const { return text_; }

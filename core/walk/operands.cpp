@@ -7,10 +7,10 @@
 namespace rayscope {
 namespace {
 
-[[noreturn]] void unknown(const Token& token, const std::string& name) {
+[[noreturn]] void unknown(const ExpressionToken& token, const std::string& name) {
     std::vector<std::string_view> known;
     for (const auto& [other, entry] : fields()) known.push_back(other);
-    throw ConditionError(token.column,
+    throw WrongExpression(token.column,
                           "no field or event is called " + in_quotes(name) + did_you_mean(name, known));
 }
 
@@ -46,7 +46,7 @@ std::string name_of(ValueType type) {
     return "";
 }
 
-FieldOperand field_operand(const Token& token, const Vocabulary& vocabulary) {
+FieldOperand field_operand(const ExpressionToken& token, const Vocabulary& vocabulary) {
     FieldOperand operand;
     std::string name = token.text;
     if (const auto dot = name.find('.'); dot != std::string::npos) {
@@ -65,19 +65,19 @@ FieldOperand field_operand(const Token& token, const Vocabulary& vocabulary) {
     if (known == fields().end()) unknown(token, name);
     operand.field = &known->second;
     if (operand.of_kind < event_kinds && operand.field->of_event[operand.of_kind] == nullptr)
-        throw ConditionError(token.column, "the event " + std::string(event_name(operand.of_kind)) +
+        throw WrongExpression(token.column, "the event " + std::string(event_name(operand.of_kind)) +
                                                 " has no field " + in_quotes(name));
     const ValueType type = operand.field->type_of(operand.of_kind);
     if (operand.axis && type != ValueType::vector && type != ValueType::colour)
-        throw ConditionError(token.column,
+        throw WrongExpression(token.column,
                               in_quotes(name) + " is " + name_of(type) + " and has no components");
     if (name == "divergence" && !vocabulary.divergence)
-        throw ConditionError(token.column,
+        throw WrongExpression(token.column,
                               "divergence needs another run to compare with: choose it by diff first");
     return operand;
 }
 
-void check_word(const FieldEntry& field, std::size_t of_kind, const Token& token,
+void check_word(const FieldEntry& field, std::size_t of_kind, const ExpressionToken& token,
                 const Vocabulary& vocabulary) {
     std::vector<std::string> known = words_of(field, of_kind);
     const bool free = field.words.empty();
@@ -87,7 +87,7 @@ void check_word(const FieldEntry& field, std::size_t of_kind, const Token& token
     constexpr std::size_t most_listed = 12;
     const std::vector<std::string_view> views(known.begin(), known.end());
     const std::string near = did_you_mean(token.text, views);
-    throw ConditionError(
+    throw WrongExpression(
         token.column,
         "unknown name " + in_quotes(token.text) +
             (near.empty() && known.size() <= most_listed ? "; expected " + one_of(views) : near));

@@ -15,11 +15,11 @@ struct FieldOperand {
     std::optional<std::size_t> axis;   ///< of a vector or colour
 };
 
-/// "[event.]name[.component]", such as "weight", "point.x", "refracted.direction.z". Throws ConditionError.
-[[nodiscard]] FieldOperand field_operand(const Token& token, const Vocabulary& vocabulary);
+/// "[event.]name[.component]", such as "weight", "point.x", "refracted.direction.z". Throws WrongExpression.
+[[nodiscard]] FieldOperand field_operand(const ExpressionToken& token, const Vocabulary& vocabulary);
 
-/// Throws ConditionError if a field can't have that word as its value.
-void check_word(const FieldEntry& field, std::size_t of_kind, const Token& token,
+/// Throws WrongExpression if a field can't have that word as its value.
+void check_word(const FieldEntry& field, std::size_t of_kind, const ExpressionToken& token,
                 const Vocabulary& vocabulary);
 
 } // namespace rayscope

@@ -11,7 +11,7 @@ int StopPoints::add(Expression expression, bool watches, bool once) {
 
 int StopPoints::add_breakpoint(Expression condition, bool once) {
     if (condition.type() != ValueType::condition)
-        throw ConditionError(1,
+        throw WrongExpression(1,
                               "expected a condition: compare the value with something, as in 'depth >= 3'");
     return add(std::move(condition), false, once);
 }

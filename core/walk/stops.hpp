@@ -37,7 +37,7 @@ struct StopReason {
 
 class StopPoints {
 public:
-    /// Throws ConditionError where a breakpoint's expression is no condition.
+    /// Throws WrongExpression where a breakpoint's expression is no condition.
     int add_breakpoint(Expression condition, bool once = false);
     int add_watch(Expression expression);
 

@@ -26,11 +26,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 25> symbols{
 bool starts_word(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool in_word(char c) { return starts_word(c) || std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-class Tokenizer {
+class ExpressionTokens {
 public:
-    explicit Tokenizer(std::string_view text) : text_(text) {}
+    explicit ExpressionTokens(std::string_view text) : text_(text) {}
 
-    std::vector<Token> all() {
+    std::vector<ExpressionToken> all() {
         while (true) {
             while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
             tokens_.push_back({});
@@ -50,7 +50,7 @@ private:
         return at < text_.size() && std::isdigit(static_cast<unsigned char>(text_[at])) != 0;
     }
 
-    void read(Token& token) {
+    void read(ExpressionToken& token) {
         const char c = text_[at_];
         if (digit(at_) || (c == '.' && digit(at_ + 1)))
             number(token);
@@ -62,20 +62,20 @@ private:
             symbol(token);
     }
 
-    void number(Token& token) {
-        token.kind = Token::Kind::number;
+    void number(ExpressionToken& token) {
+        token.kind = ExpressionToken::Kind::number;
         const char* const begin = text_.data() + at_;
         const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), token.number);
         token.text = std::string(begin, end);
         if (error != std::errc())
-            throw ConditionError(token.column, "the number " + in_quotes(token.text) + " is out of range");
+            throw WrongExpression(token.column, "the number " + in_quotes(token.text) + " is out of range");
         at_ += token.text.size();
         take_unit(token);
         if (at_ < text_.size() && in_word(text_[at_]))
-            throw ConditionError(column(), "expected an operator after the number " + in_quotes(token.text));
+            throw WrongExpression(column(), "expected an operator after the number " + in_quotes(token.text));
     }
 
-    void take_unit(Token& token) {
+    void take_unit(ExpressionToken& token) {
         std::size_t begin = at_;
         while (begin < text_.size() && text_[begin] == ' ') ++begin;
         for (const std::string_view unit : {"°", "deg", "rad"}) {
@@ -89,8 +89,8 @@ private:
     }
 
     // "shadow-blocked" is a name, "t-2" is not.
-    void word(Token& token) {
-        token.kind = Token::Kind::word;
+    void word(ExpressionToken& token) {
+        token.kind = ExpressionToken::Kind::word;
         std::size_t end = at_;
         const auto letters = [&] {
             while (end < text_.size() && in_word(text_[end])) ++end;
@@ -114,16 +114,16 @@ private:
         at_ = end;
     }
 
-    void quoted(Token& token, char quote) {
-        token.kind = Token::Kind::text;
+    void quoted(ExpressionToken& token, char quote) {
+        token.kind = ExpressionToken::Kind::text;
         const std::size_t end = text_.find(quote, at_ + 1);
-        if (end == std::string_view::npos) throw ConditionError(token.column, "this quote is never closed");
+        if (end == std::string_view::npos) throw WrongExpression(token.column, "this quote is never closed");
         token.text = std::string(text_.substr(at_ + 1, end - at_ - 1));
         at_ = end + 1;
     }
 
-    void symbol(Token& token) {
-        token.kind = Token::Kind::symbol;
+    void symbol(ExpressionToken& token) {
+        token.kind = ExpressionToken::Kind::symbol;
         const std::string_view rest = text_.substr(at_);
         for (const auto& [spelling, plain] : symbols)
             if (rest.starts_with(spelling)) {
@@ -140,21 +140,21 @@ private:
         const char* hint = rest.front() == '&'   ? "; 'and' is written &&"
                            : rest.front() == '|' ? "; 'or' is written ||"
                                                  : "";
-        throw ConditionError(token.column,
+        throw WrongExpression(token.column,
                               in_quotes(rest.substr(0, length)) + " has no meaning here" + hint);
     }
 
     std::string_view text_;
     std::size_t at_ = 0;
-    std::vector<Token> tokens_;
+    std::vector<ExpressionToken> tokens_;
 };
 
 } // namespace
 
-std::vector<Token> tokens_of(const std::string& text) {
+std::vector<ExpressionToken> tokens_of(const std::string& text) {
     if (text.size() > longest)
-        throw ConditionError(longest + 1, "an expression has at most " + std::to_string(longest) + " bytes");
-    return Tokenizer(text).all();
+        throw WrongExpression(longest + 1, "an expression has at most " + std::to_string(longest) + " bytes");
+    return ExpressionTokens(text).all();
 }
 
 } // namespace rayscope

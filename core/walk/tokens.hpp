@@ -7,7 +7,7 @@
 
 namespace rayscope {
 
-struct Token {
+struct ExpressionToken {
     enum class Kind : char { number, word, text, symbol, end };
     Kind kind = Kind::end;
     std::string text;       ///< of symbols the plain spelling, such as "&&" for "∧"
@@ -15,7 +15,7 @@ struct Token {
     std::size_t column = 1; ///< in characters, from 1
 };
 
-/// The last one is the end. Throws ConditionError.
-[[nodiscard]] std::vector<Token> tokens_of(const std::string& text);
+/// The last one is the end. Throws WrongExpression.
+[[nodiscard]] std::vector<ExpressionToken> tokens_of(const std::string& text);
 
 } // namespace rayscope

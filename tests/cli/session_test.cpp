@@ -161,7 +161,7 @@ TEST_F(Prism, finds_and_compares) {
     const Workbench small = make_workbench(std::move(scene));
     cli::Session of_small(small, trace_pixel(small, 12, 12), style);
     EXPECT_THAT(of_small.answer("find tir && depth < 1"), HasSubstr("None of 576 pixels has it."));
-    EXPECT_THAT(of_small.answer("find hit"),
+    EXPECT_THAT(of_small.answer("find spawn && eye"),
                 AllOf(HasSubstr("576 of 576 pixels"), HasSubstr("… and 564 more")));
     EXPECT_THAT(say("diff stage octree"),
                 AllOf(HasSubstr("No divergence"), Not(HasSubstr("break divergence"))));

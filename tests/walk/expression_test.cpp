@@ -34,7 +34,7 @@ protected:
         try {
             const Expression read(text, vocabulary_of(prism().scene));
             return "";
-        } catch (const ConditionError& failure) {
+        } catch (const WrongExpression& failure) {
             return failure.what();
         }
     }

@@ -10,7 +10,7 @@ namespace rayscope::cli {
 Expression expression_of(const std::string& command, const std::string& text, const Vocabulary& vocabulary) {
     try {
         return Expression(text, vocabulary);
-    } catch (const ConditionError& error) {
+    } catch (const WrongExpression& error) {
         constexpr std::size_t longest_shown = 70;
         std::string message = command + ": " + error.what();
         if (columns(text) <= longest_shown && !text.empty())

@@ -9,7 +9,7 @@
 namespace rayscope::cli {
 namespace {
 
-std::string trimmed(std::string text) {
+std::string without_blanks(std::string text) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
     while (!text.empty() && blank(text.back())) text.pop_back();
     while (!text.empty() && blank(text.front())) text.erase(text.begin());
@@ -100,7 +100,7 @@ std::string QuizGame::score_text() const {
 }
 
 std::string QuizGame::answer(const std::string& line, Walk& walk, const StepStyle& style) {
-    const std::string text = trimmed(line);
+    const std::string text = without_blanks(line);
     if (text == "quit" || text == "q") {
         ended_ = true;
         return score_text();

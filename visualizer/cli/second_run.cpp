@@ -20,7 +20,7 @@ bool is_scene(const std::string& text) {
     return false;
 }
 
-std::string fitted(const std::string& text, std::size_t width) {
+std::string cut_to(const std::string& text, std::size_t width) {
     std::string cut;
     std::size_t used = 0;
     for (std::size_t at = 0; at < text.size();) {
@@ -47,15 +47,15 @@ std::string side_by_side(const Trace& a, const Trace& b, const Comparison& compa
         comparison.divergence ? comparison.divergence->ray : int(std::min(a.rays.size(), b.rays.size())) - 1;
     const int first = std::max(0, last - int(most_rows) + 1);
     std::string text =
-        fitted("", label) + style.paint.bold(fitted("A", side)) + " " + style.paint.bold("B") + "\n";
+        cut_to("", label) + style.paint.bold(cut_to("A", side)) + " " + style.paint.bold("B") + "\n";
     if (first > 0) text += "… " + std::to_string(first) + " rays on which they agree\n";
     const Numbers number(5);
     for (int ray = first; ray <= last && std::size_t(ray) < b.rays.size(); ++ray) {
         const bool parts = comparison.divergence && ray == last;
         const RayKind kind = a.rays[std::size_t(ray)].start().kind;
-        text += style.paint.kind(kind, fitted(std::to_string(ray) + " " + name_of(kind), label)) +
-                fitted(ray_summary(a, ray, number), side) + (parts ? "≠" : " ") +
-                fitted(ray_summary(b, ray, number), side) + "\n";
+        text += style.paint.kind(kind, cut_to(std::to_string(ray) + " " + name_of(kind), label)) +
+                cut_to(ray_summary(a, ray, number), side) + (parts ? "≠" : " ") +
+                cut_to(ray_summary(b, ray, number), side) + "\n";
     }
     return text;
 }

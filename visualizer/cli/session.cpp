@@ -10,7 +10,7 @@
 namespace rayscope::cli {
 namespace {
 
-constexpr std::size_t longest_line = 8000; // bytes
+constexpr std::size_t longest_command = 8000; // bytes
 
 std::pair<std::string, std::string> first_word(const std::string& line) {
     const auto begin = line.find_first_not_of(" \t\r");
@@ -71,8 +71,8 @@ std::string Session::prompt() const {
 Reply Session::reply(const std::string& line) {
     Reply reply;
     try {
-        if (line.size() > longest_line)
-            throw UsageError("a line has at most " + std::to_string(longest_line) + " bytes");
+        if (line.size() > longest_command)
+            throw UsageError("a line has at most " + std::to_string(longest_command) + " bytes");
         if (quiz_) {
             reply.command = "quiz";
             reply.text = quiz_->answer(line, walk_, style_); // what it can't read it asks again

@@ -5,6 +5,7 @@
 #include "visualizer/cli/picture_process.hpp"
 #include "visualizer/cli/script.hpp"
 #include "visualizer/cli/session.hpp"
+#include "visualizer/page/page.hpp"
 
 namespace rayscope::cli {
 namespace {
@@ -29,10 +30,12 @@ std::string Session::png(const std::string& file) {
 std::string Session::save(const std::string& file) {
     need_file("save", file);
     const std::string extension = fs::path(file).extension().string();
-    if (extension == ".json" || extension == ".vtm") {
-        check_output("save", file, {".json", ".vtm"});
+    if (extension == ".json" || extension == ".html" || extension == ".vtm") {
+        check_output("save", file, {".json", ".html", ".vtm"});
         if (extension == ".json")
             write_trace(trace(), file);
+        else if (extension == ".html")
+            page::write_page(bench_, trace(), file);
         else if (can_draw())
             draw(Drawing::vtm, trace(), file);
         else

@@ -1,4 +1,4 @@
-#include "core/walk/parse_expression.hpp"
+#include "core/walk/parsed_expression.hpp"
 
 #include "core/scene/wording.hpp"
 #include "core/walk/operands.hpp"
@@ -16,33 +16,34 @@ constexpr int deepest = 64; // parentheses and signs within each other
 
 bool is_numeric(ValueType type) { return type == ValueType::number || type == ValueType::colour; }
 
-class Parser {
+class ExpressionParser {
 public:
-    Parser(const std::string& text, const Vocabulary& vocabulary)
+    ExpressionParser(const std::string& text, const Vocabulary& vocabulary)
         : tokens_(tokens_of(text)), vocabulary_(vocabulary) {}
 
     std::vector<Node> whole() {
-        if (now().kind == Token::Kind::end)
+        if (now().kind == ExpressionToken::Kind::end)
             fail("expected a condition, such as 'tir && depth >= 3', or a field, such as 'weight'");
         (void)either();
-        if (now().kind != Token::Kind::end) fail("expected an operator or the end, found " + found());
+        if (now().kind != ExpressionToken::Kind::end)
+            fail("expected an operator or the end, found " + found());
         return std::move(nodes_);
     }
 
 private:
     // --- tokens
 
-    [[nodiscard]] const Token& now() const { return tokens_[at_]; }
+    [[nodiscard]] const ExpressionToken& now() const { return tokens_[at_]; }
     [[nodiscard]] std::string found() const {
-        return now().kind == Token::Kind::end ? "the end" : in_quotes(now().text);
+        return now().kind == ExpressionToken::Kind::end ? "the end" : in_quotes(now().text);
     }
     [[noreturn]] void fail(const std::string& message) const { fail(now().column, message); }
     [[noreturn]] static void fail(std::size_t column, const std::string& message) {
-        throw ConditionError(column, message);
+        throw WrongExpression(column, message);
     }
     bool take(std::string_view symbol, std::string_view word = {}) {
-        const bool is_symbol = now().kind == Token::Kind::symbol && now().text == symbol;
-        const bool is_word = !word.empty() && now().kind == Token::Kind::word && now().text == word;
+        const bool is_symbol = now().kind == ExpressionToken::Kind::symbol && now().text == symbol;
+        const bool is_word = !word.empty() && now().kind == ExpressionToken::Kind::word && now().text == word;
         if (is_symbol || is_word) ++at_;
         return is_symbol || is_word;
     }
@@ -136,10 +137,12 @@ private:
     }
 
     [[nodiscard]] bool starts_value(bool word) const {
-        if (now().kind == Token::Kind::number) return true;
+        if (now().kind == ExpressionToken::Kind::number) return true;
         if (!word) return false;
-        const bool operates = now().kind == Token::Kind::word && (now().text == "and" || now().text == "or");
-        return now().kind == Token::Kind::text || (now().kind == Token::Kind::word && !operates);
+        const bool operates =
+            now().kind == ExpressionToken::Kind::word && (now().text == "and" || now().text == "or");
+        return now().kind == ExpressionToken::Kind::text ||
+               (now().kind == ExpressionToken::Kind::word && !operates);
     }
 
     void check_pair(Operator what, Index left, Index right, std::size_t column) const {
@@ -187,19 +190,19 @@ private:
     }
 
     Index primary() {
-        const Token token = now();
+        const ExpressionToken token = now();
         if (take("(")) {
             const Index inner = either();
             if (!take(")")) fail("expected ')', found " + found());
             return inner;
         }
-        if (token.kind == Token::Kind::number) {
+        if (token.kind == ExpressionToken::Kind::number) {
             ++at_;
             return constant(token.number, token.column);
         }
-        if (token.kind == Token::Kind::text)
+        if (token.kind == ExpressionToken::Kind::text)
             fail("a name is compared with a field, as in 'object " + std::string("\"") + token.text + "\"'");
-        if (token.kind != Token::Kind::word) fail("expected a field or a number, found " + found());
+        if (token.kind != ExpressionToken::Kind::word) fail("expected a field or a number, found " + found());
         ++at_;
         if (token.text == "abs") return absolute(token.column);
         if (token.text == "inf") return constant(infinity<double>, token.column);
@@ -225,7 +228,7 @@ private:
         return add(Operator::absolute, ValueType::number, operand, 0, column);
     }
 
-    Index field(const Token& token) {
+    Index field(const ExpressionToken& token) {
         const FieldOperand operand = field_operand(token, vocabulary_);
         Node node;
         node.what = Operator::field;
@@ -238,8 +241,8 @@ private:
     }
 
     Index word_value(Index left) {
-        const Token token = now();
-        if (token.kind == Token::Kind::end || token.kind == Token::Kind::symbol)
+        const ExpressionToken token = now();
+        if (token.kind == ExpressionToken::Kind::end || token.kind == ExpressionToken::Kind::symbol)
             fail("expected a name, found " + found());
         ++at_;
         check_word(*nodes_[left].field, nodes_[left].of_kind, token, vocabulary_);
@@ -250,7 +253,7 @@ private:
     }
 
     struct Nesting {
-        explicit Nesting(Parser& parser) : parser_(parser) {
+        explicit Nesting(ExpressionParser& parser) : parser_(parser) {
             if (++parser.depth_ > 2 * deepest)
                 parser.fail("more than " + std::to_string(deepest) +
                             " parentheses and signs within each other");
@@ -258,10 +261,10 @@ private:
         ~Nesting() { --parser_.depth_; }
         Nesting(const Nesting&) = delete;
         Nesting& operator=(const Nesting&) = delete;
-        Parser& parser_;
+        ExpressionParser& parser_;
     };
 
-    std::vector<Token> tokens_;
+    std::vector<ExpressionToken> tokens_;
     const Vocabulary& vocabulary_;
     std::vector<Node> nodes_;
     std::size_t at_ = 0;
@@ -270,8 +273,8 @@ private:
 
 } // namespace
 
-std::vector<Node> parse_expression(const std::string& text, const Vocabulary& vocabulary) {
-    return Parser(text, vocabulary).whole();
+std::vector<Node> parsed_expression(const std::string& text, const Vocabulary& vocabulary) {
+    return ExpressionParser(text, vocabulary).whole();
 }
 
 } // namespace rayscope
