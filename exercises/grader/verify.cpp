@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <regex>
 #include <set>
@@ -151,12 +150,11 @@ std::vector<std::string> problems_of(const Toolchain& toolchain, const Exercise&
         const Attempt stub = make("stub.hpp", read_code(exercise.stub())),
                       solution = make("solution.hpp", read_code(exercise.solution())),
                       sanitized = make("solution.hpp under sanitizers", read_code(exercise.solution()), true);
-        std::vector<std::array<Attempt, 2>> wrong;
+        std::vector<Attempt> wrong;
         for (const Misconception& misconception : exercise.misconceptions) {
-            const std::string code = read_code(misconception.file);
-            wrong.push_back(
-                {make(misconception.name, code),
-                 make(misconception.name + " with its variables renamed", renamed(code, exercise))});
+            // As it stands it is part of the reference; renamed it is a student's file.
+            const std::string code = renamed(read_code(misconception.file), exercise);
+            wrong.push_back(make(misconception.name + " with its variables renamed", code));
         }
         for (const std::uint64_t seed : seeds) {
             const Reference reference = make_reference(toolchain, exercise, seed);
@@ -166,8 +164,7 @@ std::vector<std::string> problems_of(const Toolchain& toolchain, const Exercise&
             if (seed == seeds.front())
                 check_solution(toolchain, reference, sanitized, CaseRunner::Trust::own_code, problems);
             for (std::size_t i = 0; i < wrong.size(); ++i)
-                for (const Attempt& attempt : wrong[i])
-                    check_misconception(toolchain, reference, i, attempt, problems);
+                check_misconception(toolchain, reference, i, wrong[i], problems);
         }
     } catch (const InputError& error) {
         problems.add(error.what());
