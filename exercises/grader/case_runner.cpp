@@ -67,6 +67,7 @@ std::string signal_text(int signal) {
     case SIGABRT: return "SIGABRT: it aborted";
     case SIGFPE: return "SIGFPE: it divided an integer by 0";
     case SIGILL: return "SIGILL: it ran into what is no instruction";
+    case SIGXFSZ: return "SIGXFSZ: it wrote into a file";
     case SIGSYS: return "SIGSYS: it asked the system for what is not allowed";
     default: return fmt::format("signal {}", signal);
     }

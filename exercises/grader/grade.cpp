@@ -40,7 +40,7 @@ void count_points(const Reference& reference, Grade& result) {
 bool Grade::all_right() const { return compiled && std::ranges::all_of(cases, &CaseResult::right); }
 
 Grade grade(const Toolchain& toolchain, const Reference& reference, const Compiled& answers,
-            CaseRunner::Trust trust) {
+            CaseRunner::Trust trust, const std::vector<std::string>& words) {
     const Exercise& exercise = *reference.exercise;
     Grade result;
     result.diagnostics = answers.diagnostics;
@@ -51,7 +51,7 @@ Grade grade(const Toolchain& toolchain, const Reference& reference, const Compil
         for (std::size_t i = 0; i < reference.cases.size(); ++i) {
             CaseResult& verdict = result.cases.emplace_back();
             const Case& asked = reference.cases[i];
-            verdict.outcome = student.run_twice({{}, asked.call});
+            verdict.outcome = student.run_twice({words, asked.call});
             if (verdict.outcome.kind != OutcomeKind::answered) continue;
             if (exercise.judged) {
                 verdict.complaint = judged(judge, asked, verdict.outcome.value);

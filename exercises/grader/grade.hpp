@@ -29,8 +29,10 @@ struct Grade {
 };
 
 /// Runs a student's compiled code. The verdicts are made here, from the bytes that come back.
+/// @param words of the program; a student's needs none
 [[nodiscard]] Grade grade(const Toolchain& toolchain, const Reference& reference, const Compiled& answers,
-                          CaseRunner::Trust trust = CaseRunner::Trust::none);
+                          CaseRunner::Trust trust = CaseRunner::Trust::none,
+                          const std::vector<std::string>& words = {});
 /// Compiles it first.
 [[nodiscard]] Grade grade(const Toolchain& toolchain, const Reference& reference, const std::string& code);
 

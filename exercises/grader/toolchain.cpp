@@ -134,13 +134,17 @@ PrivateFolder::~PrivateFolder() {
 }
 
 Toolchain::Toolchain(fs::path harness, fs::path runner, Safety safety)
-    : runner_(std::move(runner)), safety_(safety) {
+    : harness_(std::move(harness)), runner_(std::move(runner)), safety_(safety) {
     std::string key = compiler_version();
     for (const std::string& flag : flags) key += flag;
-    for (const char* name : harness_files) key += read_file(harness / name, most_source);
+    for (const char* name : harness_files) key += read_file(harness_ / name, most_source);
     cache_ = cache_folder() / hash_of(key);
-    fs::create_directories(cache_);
-    build_parts(harness);
+    fs::create_directories(parts());
+    build_parts(false);
+}
+
+std::string Toolchain::parts_inside(bool sanitized) const {
+    return (safety_ == Safety::sandboxed ? fs::path("/rx") : parts()) / (sanitized ? "sanitized" : "plain");
 }
 
 std::string Toolchain::run_compiler(const std::vector<std::string>& arguments, const fs::path& work,
@@ -158,51 +162,51 @@ std::string Toolchain::run_compiler(const std::vector<std::string>& arguments, c
     return ended ? ended->output : "Killed";
 }
 
-void Toolchain::build_parts(const fs::path& harness) {
-    const fs::path done = parts() / "done";
+void Toolchain::build_parts(bool sanitized) const {
+    const std::string inside = parts_inside(sanitized);
+    const fs::path folder = parts() / fs::path(inside).filename(), done = folder / "done";
     if (fs::exists(done)) return;
-    const FileLock lock(cache_ / "lock");
+    fs::create_directories(folder);
+    const FileLock lock(folder / "lock");
     if (fs::exists(done)) return;
-    fs::create_directories(parts());
-    for (const char* name : harness_files) write_file(parts() / name, read_file(harness / name, most_source));
+    for (const char* name : harness_files) write_file(folder / name, read_file(harness_ / name, most_source));
     const PrivateFolder work(cache_);
-    const std::string place = safety_ == Safety::sandboxed ? "/rx" : parts().string();
     const auto make = [&](std::vector<std::string> words, const std::string& result) {
         words.insert(words.begin(), flags.begin(), flags.end());
-        words.insert(words.end(), {"-I" + place, "-o", result});
+        if (sanitized) words.insert(words.end(), sanitizers.begin(), sanitizers.end());
+        words.insert(words.end(), {"-I" + inside, "-o", result});
         int code = 0;
         const std::string output = run_compiler(words, work.path(), parts_bytes, code);
         if (code != 0)
             throw std::runtime_error("can't compile what exercises need (g++, libglm-dev):\n" + output);
-        fs::rename(work.path() / result, parts() / result);
+        fs::rename(work.path() / result, folder / result);
     };
     for (const char* name : {"wire", "answer_main", "reference_main"})
-        make({"-c", place + "/" + name + ".cpp"}, std::string(name) + ".o");
-    make({"-x", "c++-header", place + "/rx.hpp"}, "rx.hpp.gch");
+        make({"-c", inside + "/" + name + ".cpp"}, std::string(name) + ".o");
+    make({"-x", "c++-header", inside + "/rx.hpp"}, "rx.hpp.gch");
     write_file(done, "all parts are there\n");
 }
 
 Compiled Toolchain::compile(const Unit& unit, const fs::path& to) const {
+    if (unit.sanitized) build_parts(true);
     const PrivateFolder work(cache_);
     for (const SourceFile& file : unit.files) write_file(work.path() / file.name, file.text);
-    const std::string place = safety_ == Safety::sandboxed ? "/rx" : parts().string();
+    const std::string inside = parts_inside(unit.sanitized);
     std::vector<std::string> words = flags;
-    words.insert(words.end(), {"-I" + place, unit.files.front().name, "-o", "program"});
-    if (unit.sanitized) {
+    if (unit.sanitized)
         words.insert(words.end(), sanitizers.begin(), sanitizers.end());
-        words.insert(words.end(), {place + "/wire.cpp", place + "/answer_main.cpp"});
-    } else {
-        words.insert(words.end(), {"-static", place + "/wire.o",
-                                   place + (unit.reference ? "/reference_main.o" : "/answer_main.o")});
-    }
+    else
+        words.emplace_back("-static");
+    words.insert(words.end(), {"-I" + inside, unit.files.front().name, "-o", "program",
+                               inside + "/wire.o", inside + (unit.reference ? "/reference_main.o" : "/answer_main.o")});
     int code = 0;
     const std::string output = run_compiler(words, work.path(), program_bytes, code);
     Compiled result;
     result.diagnostics = diagnostics_of(output, unit.about);
     if (code == 0 && fs::is_regular_file(fs::symlink_status(work.path() / "program"))) {
-        fs::permissions(work.path() / "program", fs::perms::owner_all | fs::perms::group_read |
-                                                     fs::perms::group_exec | fs::perms::others_read |
-                                                     fs::perms::others_exec);
+        constexpr fs::perms run_by_all = fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
+                                         fs::perms::others_read | fs::perms::others_exec;
+        fs::permissions(work.path() / "program", run_by_all);
         fs::rename(work.path() / "program", to);
         result.program = to;
         return result;

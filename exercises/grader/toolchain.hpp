@@ -55,13 +55,15 @@ public:
     [[nodiscard]] const std::filesystem::path& cache() const { return cache_; }
 
 private:
+    /// In a folder for each, with sanitizers and without: the harness's sources, and what is compiled of them.
     [[nodiscard]] std::filesystem::path parts() const { return cache_ / "parts"; }
-    void build_parts(const std::filesystem::path& harness);
+    [[nodiscard]] std::string parts_inside(bool sanitized) const;
+    void build_parts(bool sanitized) const;
     [[nodiscard]] std::string run_compiler(const std::vector<std::string>& arguments,
                                            const std::filesystem::path& work, std::uint64_t most_bytes,
                                            int& code) const;
 
-    std::filesystem::path runner_, cache_;
+    std::filesystem::path harness_, runner_, cache_;
     Safety safety_;
 };
 

@@ -58,22 +58,25 @@ Unit answer_unit(const Exercise& exercise, const std::string& code, bool sanitiz
 }
 
 Unit reference_unit(const Exercise& exercise) {
+    std::vector<Variant> variants{{"solution.hpp", read_code(exercise.solution())}};
+    for (const Misconception& wrong : exercise.misconceptions)
+        variants.push_back({"misconceptions/" + wrong.name + ".hpp", read_code(wrong.file)});
+    return variants_unit(exercise, variants);
+}
+
+Unit variants_unit(const Exercise& exercise, const std::vector<Variant>& variants) {
     Unit unit;
     unit.about = "cases.cpp";
     unit.reference = true;
     std::string includes, body, choice;
-    const auto add = [&](const std::filesystem::path& file, std::size_t variant, const std::string& shown) {
+    for (std::size_t i = 0; i < variants.size(); ++i) {
         std::string code;
-        take_includes(read_code(file), includes, code);
-        body += fmt::format("namespace rx_variant_{} {{\n{}#line 1 \"{}\"\n{}\n}}\n", variant,
-                            declarations(exercise), shown, code);
-        choice += fmt::format("    case {}: return wire::answer(in, out{});\n", variant,
-                              function_names(exercise, fmt::format("rx_variant_{}::", variant)));
-    };
-    add(exercise.solution(), 0, "solution.hpp");
-    for (std::size_t i = 0; i < exercise.misconceptions.size(); ++i)
-        add(exercise.misconceptions[i].file, i + 1,
-            "misconceptions/" + exercise.misconceptions[i].name + ".hpp");
+        take_includes(variants[i].code, includes, code);
+        body += fmt::format("namespace rx_variant_{} {{\n{}#line 1 \"{}\"\n{}\n}}\n", i, declarations(exercise),
+                            variants[i].name, code);
+        choice += fmt::format("    case {}: return wire::answer(in, out{});\n", i,
+                              function_names(exercise, fmt::format("rx_variant_{}::", i)));
+    }
     std::string cases;
     take_includes(read_code(exercise.cases()), includes, cases);
     std::string text = "#include \"rx.hpp\"\n#include \"cases.hpp\"\n" + includes + "using namespace rx;\n" +

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <regex>
 #include <set>
@@ -33,50 +32,54 @@ std::string compile_text(const Compiled& built) {
     return built.problem;
 }
 
-/// One of the exercise's own programs, and what it is for.
-struct Attempt {
-    std::string name;
-    Compiled built;
-};
-Attempt attempt(const Toolchain& toolchain, const Exercise& exercise, std::string name,
-                const std::string& code, Problems& problems, bool sanitized = false) {
-    Attempt made{std::move(name), toolchain.kept(answer_unit(exercise, code, sanitized))};
-    if (made.built.program.empty())
-        problems.add(fmt::format("{} does not compile: {}", made.name, compile_text(made.built)));
-    return made;
+/// The stub, and the misconceptions with other names, as variants of one program: what they answer is graded like a
+/// student's answers.
+Unit trial_unit(const Exercise& exercise) {
+    std::vector<Variant> variants{{"stub.hpp", read_code(exercise.stub())}};
+    for (const Misconception& wrong : exercise.misconceptions)
+        variants.push_back({wrong.name + ".hpp, renamed,", renamed(read_code(wrong.file), exercise)});
+    return variants_unit(exercise, variants);
 }
 
-void check_stub(const Toolchain& toolchain, const Reference& reference, const Attempt& stub,
-                Problems& problems) {
-    const Grade found = grade(toolchain, reference, stub.built);
+Compiled compiled(const Toolchain& toolchain, const Unit& unit, const char* what, Problems& problems) {
+    Compiled built = toolchain.kept(unit);
+    if (built.program.empty()) problems.add(fmt::format("{} does not compile: {}", what, compile_text(built)));
+    return built;
+}
+
+Grade graded_variant(const Toolchain& toolchain, const Reference& reference, const Compiled& trial,
+                     std::size_t variant) {
+    return grade(toolchain, reference, trial, CaseRunner::Trust::none, {"answer", std::to_string(variant)});
+}
+
+void check_stub(const Toolchain& toolchain, const Reference& reference, const Compiled& trial, Problems& problems) {
+    const Grade found = graded_variant(toolchain, reference, trial, 0);
     for (std::size_t i = 0; i < found.groups.size(); ++i)
         if (found.groups[i].right > 0)
-            problems.add(fmt::format("{} has points in group '{}' (seed {})", stub.name,
+            problems.add(fmt::format("the stub has points in group '{}' (seed {})",
                                      reference.exercise->groups[i].name, reference.seed));
 }
 
-void check_solution(const Toolchain& toolchain, const Reference& reference, const Attempt& solution,
+void check_solution(const Toolchain& toolchain, const Reference& reference, const Compiled& solution,
                     CaseRunner::Trust trust, Problems& problems) {
-    const Grade right = grade(toolchain, reference, solution.built, trust);
+    const Grade right = grade(toolchain, reference, solution, trust);
     for (std::size_t i = 0; i < right.cases.size(); ++i)
         if (!right.cases[i].right)
-            return problems.add(fmt::format("{} is wrong in '{}' (seed {}): {} {} {}", solution.name,
-                                            reference.cases[i].about, reference.seed,
-                                            text_of(right.cases[i].outcome), right.cases[i].complaint,
-                                            right.cases[i].outcome.printed));
+            return problems.add(fmt::format("the solution is wrong in '{}' (seed {}): {} {} {}", reference.cases[i].about,
+                                            reference.seed, text_of(right.cases[i].outcome),
+                                            right.cases[i].complaint, right.cases[i].outcome.printed));
 }
 
 void check_misconception(const Toolchain& toolchain, const Reference& reference, std::size_t index,
-                         const Attempt& wrong, Problems& problems) {
+                         const Compiled& trial, Problems& problems) {
     const Exercise& exercise = *reference.exercise;
-    const Grade found = grade(toolchain, reference, wrong.built);
-    if (!found.compiled) return;
-    for (const std::string& name : exercise.misconceptions[index].groups) {
+    const Misconception& wrong = exercise.misconceptions[index];
+    const Grade found = graded_variant(toolchain, reference, trial, index + 1);
+    for (const std::string& name : wrong.groups) {
         const auto group =
             std::size_t(std::ranges::find(exercise.groups, name, &Group::name) - exercise.groups.begin());
         if (found.groups[group].right == found.groups[group].cases)
-            problems.add(
-                fmt::format("{} loses no point in group '{}' (seed {})", wrong.name, name, reference.seed));
+            problems.add(fmt::format("{} loses no point in group '{}' (seed {})", wrong.name, name, reference.seed));
     }
     if (!found.misconception)
         problems.add(fmt::format("{} is not recognised (seed {})", wrong.name, reference.seed));
@@ -145,29 +148,23 @@ std::vector<std::string> problems_of(const Toolchain& toolchain, const Exercise&
                                      const std::vector<std::uint64_t>& seeds) {
     Problems problems;
     try {
-        const auto make = [&](std::string name, const std::string& code, bool sanitized = false) {
-            return attempt(toolchain, exercise, std::move(name), code, problems, sanitized);
-        };
-        const Attempt stub = make("stub.hpp", read_code(exercise.stub())),
-                      solution = make("solution.hpp", read_code(exercise.solution())),
-                      sanitized = make("solution.hpp under sanitizers", read_code(exercise.solution()), true);
-        std::vector<std::array<Attempt, 2>> wrong;
-        for (const Misconception& misconception : exercise.misconceptions) {
-            const std::string code = read_code(misconception.file);
-            wrong.push_back(
-                {make(misconception.name, code),
-                 make(misconception.name + " with its variables renamed", renamed(code, exercise))});
-        }
+        const Compiled trial =
+            compiled(toolchain, trial_unit(exercise), "the stub, or a misconception", problems);
+        const std::string code = read_code(exercise.solution());
+        const Compiled solution =
+                           compiled(toolchain, answer_unit(exercise, code), "the solution", problems),
+                       sanitized = compiled(toolchain, answer_unit(exercise, code, true),
+                                            "the solution, under sanitizers,", problems);
         for (const std::uint64_t seed : seeds) {
             const Reference reference = make_reference(toolchain, exercise, seed);
             check_distinct(reference, problems);
-            check_stub(toolchain, reference, stub, problems);
             check_solution(toolchain, reference, solution, CaseRunner::Trust::none, problems);
             if (seed == seeds.front())
                 check_solution(toolchain, reference, sanitized, CaseRunner::Trust::own_code, problems);
-            for (std::size_t i = 0; i < wrong.size(); ++i)
-                for (const Attempt& attempt : wrong[i])
-                    check_misconception(toolchain, reference, i, attempt, problems);
+            if (trial.program.empty()) continue;
+            check_stub(toolchain, reference, trial, problems);
+            for (std::size_t i = 0; i < exercise.misconceptions.size(); ++i)
+                check_misconception(toolchain, reference, i, trial, problems);
         }
     } catch (const InputError& error) {
         problems.add(error.what());

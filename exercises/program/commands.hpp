@@ -20,5 +20,7 @@ namespace rayscope::exercises {
 [[nodiscard]] int run(const Context& context, const Predict& command);
 [[nodiscard]] int run(const Context& context, const Verify& command);
 [[nodiscard]] int run(const Context& context, const GradeAll& command);
+[[nodiscard]] int run(const Context& context, const Package& command);
+[[nodiscard]] int run(const Context& context, const New& command);
 
 } // namespace rayscope::exercises

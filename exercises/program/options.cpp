@@ -80,6 +80,7 @@ void add_instructor_commands(CLI::App& app, Options& options) {
         const auto [sub, value] =
             command("package", "a Gradescope autograder, or with --student a workspace", Package{});
         sub->add_flag("--student", value->student, "the workspace that students get, without solutions");
+        sub->add_option("--exercise", value->exercises, "which exercises are graded (default: all)");
         sub->add_option("-o,--output", value->output, "the .zip file")->required();
     }
     {

@@ -46,6 +46,7 @@ struct GradeAll {
 };
 struct Package {
     bool student = false;
+    std::vector<std::string> exercises; ///< of the autograder; empty: all
     std::filesystem::path output;
 };
 struct New {

@@ -91,14 +91,7 @@ void Workspace::update(const std::function<void(Progress&)>& change) const {
     if (lock >= 0) close(lock);
 }
 
-std::vector<fs::path> start_workspace(const fs::path& folder, const std::vector<Exercise>& catalogue) {
-    const fs::path source = fs::path(RAYSCOPE_EXERCISES).parent_path();
-    if (lies_within(folder, source))
-        throw UsageError(fmt::format(
-            "{} lies in the source tree of rayscope; expected a folder of your own, for example {}",
-            folder.string(), default_workspace().string()));
-    if (fs::exists(folder) && !fs::is_directory(folder)) throw UsageError(folder.string() + " is no folder");
-    fs::create_directories(folder / ".rayscope");
+std::vector<fs::path> write_stubs(const fs::path& folder, const std::vector<Exercise>& catalogue) {
     fs::create_directories(folder / "tasks");
     std::vector<fs::path> written;
     const auto add = [&](const fs::path& path, const std::string& text) {
@@ -110,6 +103,18 @@ std::vector<fs::path> start_workspace(const fs::path& folder, const std::vector<
     }
     add(folder / "rx.hpp", read_file(fs::path(RAYSCOPE_EXERCISES) / "harness/rx.hpp", most_bytes));
     add(folder / "compile_flags.txt", "-std=c++20\n-xc++\n-I.\n"); // for editors
+    return written;
+}
+
+std::vector<fs::path> start_workspace(const fs::path& folder, const std::vector<Exercise>& catalogue) {
+    const fs::path source = fs::path(RAYSCOPE_EXERCISES).parent_path();
+    if (lies_within(folder, source))
+        throw UsageError(fmt::format(
+            "{} lies in the source tree of rayscope; expected a folder of your own, for example {}",
+            folder.string(), default_workspace().string()));
+    if (fs::exists(folder) && !fs::is_directory(folder)) throw UsageError(folder.string() + " is no folder");
+    fs::create_directories(folder / ".rayscope");
+    const std::vector<fs::path> written = write_stubs(folder, catalogue);
     if (!fs::exists(folder / ".rayscope/progress.json")) Workspace(folder).update([](Progress&) {});
     const fs::path remembered = remembered_file();
     fs::create_directories(remembered.parent_path());

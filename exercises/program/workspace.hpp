@@ -51,6 +51,10 @@ std::vector<std::filesystem::path> start_workspace(const std::filesystem::path& 
 /// Throws UsageError that says how to start one.
 [[nodiscard]] Workspace find_workspace(const std::optional<std::filesystem::path>& asked);
 
+/// The files of a workspace alone. @return those that were not there
+std::vector<std::filesystem::path> write_stubs(const std::filesystem::path& folder,
+                                               const std::vector<Exercise>& catalogue);
+
 /// Where `start` makes one if nobody says where.
 [[nodiscard]] std::filesystem::path default_workspace();
 

@@ -2,6 +2,7 @@
 // least one of its runs ends; none may have more points than its honest part, which returns no span.
 
 #include "tests/exercises/grading.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -30,19 +31,19 @@ const Reference& sphere() {
 std::vector<std::string> names(bool slow) {
     std::vector<std::string> found;
     for (const auto& entry : fs::directory_iterator(attacks))
-        if ((text_of_file(entry.path()).find("\n// slow\n") != std::string::npos) == slow)
+        if ((content_of(entry.path()).find("\n// slow\n") != std::string::npos) == slow)
             found.push_back(entry.path().stem());
     std::sort(found.begin(), found.end());
     return found;
 }
 
 double honest_score() {
-    static const double score = grade(toolchain(), sphere(), text_of_file(attacks / "honest.attack")).score;
+    static const double score = grade(toolchain(), sphere(), content_of(attacks / "honest.attack")).score;
     return score;
 }
 
 void gains_nothing(const std::string& name) {
-    const std::string code = text_of_file(attacks / (name + ".attack"));
+    const std::string code = content_of(attacks / (name + ".attack"));
     const std::string expected = code.substr(9, code.find('\n') - 9); // behind "// ends: "
     const Grade result = grade(toolchain(), sphere(), code);
     EXPECT_LE(result.score, honest_score());
@@ -50,7 +51,7 @@ void gains_nothing(const std::string& name) {
     if (expected == "does not compile") {
         EXPECT_FALSE(result.compiled);
         EXPECT_EQ(result.score, 0);
-        EXPECT_TRUE(!result.problem.empty() || std::ranges::any_of(result.diagnostics, &Diagnostic::error) != 0)
+        EXPECT_TRUE(!result.problem.empty() || std::ranges::any_of(result.diagnostics, &Diagnostic::error))
             << "no verdict is given";
         return;
     }
@@ -63,11 +64,11 @@ void gains_nothing(const std::string& name) {
 
 class Attacks : public InSandbox, public testing::WithParamInterface<std::string> {};
 TEST_P(Attacks, gain_nothing) { gains_nothing(GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Quick, Attacks, testing::ValuesIn(names(false)), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Quick, Attacks, testing::ValuesIn(names(false)), [](const auto& one) { return one.param; });
 
 class AttacksFull : public Attacks {};
 TEST_P(AttacksFull, gain_nothing) { gains_nothing(GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Slow, AttacksFull, testing::ValuesIn(names(true)), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Slow, AttacksFull, testing::ValuesIn(names(true)), [](const auto& one) { return one.param; });
 
 TEST(AttackFiles, are_many) { EXPECT_GE(names(false).size() + names(true).size(), 60U); }
 
@@ -95,7 +96,7 @@ TEST_F(Grader, rewards_no_answers_learnt_by_heart) {
 }
 
 TEST_F(Grader, gives_the_same_verdict_after_all_that) {
-    const std::string solution = text_of_file(sphere().exercise->solution());
+    const std::string solution = content_of(sphere().exercise->solution());
     EXPECT_TRUE(grade(toolchain(), sphere(), solution).all_right());
 }
 

@@ -1,9 +1,6 @@
 #include "tests/exercises/grading.hpp"
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace rayscope::test {
 
@@ -21,14 +18,6 @@ const exercises::Toolchain& toolchain() {
             exercises::Safety::sandboxed);
     }();
     return *made;
-}
-
-std::string text_of_file(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw std::runtime_error("can't read " + path.string());
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 void InSandbox::SetUp() {

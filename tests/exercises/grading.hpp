@@ -19,8 +19,6 @@ namespace rayscope::test {
 /// The sandbox and the compiler, with a cache of the tests' own.
 [[nodiscard]] const exercises::Toolchain& toolchain();
 
-[[nodiscard]] std::string text_of_file(const std::filesystem::path& path);
-
 /// Tests that run foreign code; skipped, and told so, where the system allows no sandbox.
 class InSandbox : public testing::Test {
 protected:

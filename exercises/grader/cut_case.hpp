@@ -1,0 +1,18 @@
+#pragma once
+// A case, cut out of a recorded trace.
+
+#include <filesystem>
+#include <string>
+
+namespace rayscope::exercises {
+
+struct CutCase {
+    std::string exercise; ///< the shipped one whose function was asked there: "3-01-mirror"
+    std::string add;      ///< the line of C++ that adds the case
+};
+
+/// @param event its number: the events of all rays are counted through, in the order of the file, from 0
+/// Throws InputError where the file is no trace, or the event is none that an exercise asks for.
+[[nodiscard]] CutCase cut_case(const std::filesystem::path& trace, int event);
+
+} // namespace rayscope::exercises

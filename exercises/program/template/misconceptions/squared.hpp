@@ -1,0 +1,1 @@
+double size(const dvec3& v) { return dot(v, v); }
