@@ -25,6 +25,7 @@ const details = (() => {
     if (rays[ray].parent >= 0) table.append(row('spawned by', rayLink(rays[ray].parent)));
     table.append(row('depth, weight', `${begun.depth} of ${trace.max_depth}, ${shownColour(begun.weight)}`),
       row('origin', shownVector(begun.origin)), row('direction', shownVector(begun.direction)), row('medium', mediumName(begun.medium)));
+    if (begun.wavelength > 0) table.append(row('wavelength', `${shown(begun.wavelength)} nm`));
     if (begun.light >= 0) table.append(row('light', lightName(begun.light)));
     if (hit) {
       const leaf = leafName(hit.boundary.leaf), object = objectName(hit.object);
@@ -32,6 +33,8 @@ const details = (() => {
         row('t', `${shown(hit.boundary.t)} ± ${shown(hit.error_bound, 3)}`), row('point', shownVector(hit.point)), row('normal', shownVector(hit.facing)));
     }
     for (const event of rays[ray].events) {
+      if (event.event === 'absorbed') table.append(row('absorbed', `${mediumName(event.medium)} leaves ${shownColour(event.passed)} on ${shown(event.length)} of way`));
+      if (event.event === 'fresnel_shared') table.append(row('Fresnel', `R = ${shown(event.reflected)} (Rs ${shown(event.perpendicular)}, Rp ${shown(event.parallel)}; Schlick ${shown(event.schlick)})${line(event)}`));
       if (event.event === 'ambient_lit') table.append(row('ambient', `${shownColour(event.scene)} × ${shownColour(event.material)}`));
       if (event.event === 'light_lit')
         table.append(row('light ' + lightName(event.light), number(event.cosine) > 0

@@ -22,6 +22,9 @@ const becameOf = ray => {
   return (!find(ray, 'refracted') ? '→ ' : hit.entering ? '→ into ' : '→ out of ') + objectName(hit.object);
 };
 
+// Of a ray or a boundary behind which each colour goes its own way.
+const line = event => event.wavelength > 0 ? `, ${shown(event.wavelength)} nm` : '';
+
 const eventText = event => {
   switch (event.event) {
     case 'ray_spawned': return `starts, ${event.kind}, depth ${event.depth}`;
@@ -36,12 +39,14 @@ const eventText = event => {
     case 'boundary_chosen': return `hit: ${event.entering ? 'into' : 'out of'} ${objectName(event.object)}, t = ${shown(event.boundary.t)}`;
     case 'triangle_hit': return `triangle ${event.triangle}`;
     case 'missed': return `nothing is hit: background ${shownColour(event.background)}`;
+    case 'absorbed': return `the medium leaves ${shownColour(event.passed)} on ${shown(event.length)} of way`;
+    case 'fresnel_shared': return `Fresnel: R = ${shown(event.reflected)}${line(event)}`;
     case 'ambient_lit': return `ambient ${shownColour(event.scene)} × ${shownColour(event.material)}`;
     case 'light_lit': return `${lightName(event.light)}: ${number(event.cosine) > 0 ? 'diffuse ' + shownColour(event.diffuse) + ', specular ' + shownColour(event.specular) : 'behind the surface'}`;
     case 'local_light_skipped': return 'no local light: leaves a solid';
     case 'blocker_passed': return `light passes ${objectName(event.object)} × ${shownColour(event.transmission)}`;
     case 'reflected': return `mirrored, θ = ${degrees(event.theta)}`;
-    case 'refracted': return `bent, θ₁ = ${degrees(event.theta_from)}, θ₂ = ${degrees(event.theta_to)}`;
+    case 'refracted': return `bent, θ₁ = ${degrees(event.theta_from)}, θ₂ = ${degrees(event.theta_to)}${line(event)}`;
     case 'totally_reflected': return `total reflection, θ₁ = ${degrees(event.theta_from)} > ${degrees(event.critical)}`;
     case 'not_spawned': return `no ${event.kind} ray: ${event.reason.replaceAll('_', ' ')}`;
     case 'ray_finished': return `ends with ${shownColour(event.colour)}`;
