@@ -90,6 +90,7 @@ private:
     std::string cells(const std::string& stage);
     std::string why(const std::string& what);
     std::string colour(const std::string&);
+    std::string energy(const std::string&);
     std::string print(const std::string& expression);
     std::string info(const std::string& topic);
     std::string help(const std::string& command);

@@ -48,6 +48,8 @@ std::span<const Command> commands() {
         Command{"why-not", "why y", "NAME | cell N [STAGE]",
                 "why this ray did not end on that object, or did not look into that cell", &S::why},
         Command{"colour", "col color", "", "the colour of the whole, and where it comes from", &S::colour},
+        Command{"energy", "ledger", "",
+                "that light by kind and object, and the weight of what was not followed", &S::energy},
         Command{"print", "p inspect", "EXPRESSION", "its value at this event, such as theta_from - critical",
                 &S::print},
         Command{"display", "disp", "[EXPRESSION]", "its value after each move", &S::display},
