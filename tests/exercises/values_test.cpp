@@ -13,11 +13,10 @@ namespace {
 
 using namespace exercises;
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 nan_value = std::numeric_limits<double>::quiet_NaN();
 
-Value spans(double a, double b) {
-    return {List{{Record{"Span", {{"a", {a}}, {"b", {b}}}}}}};
-}
+Value spans(double a, double b) { return {List{{Record{"Span", {{"a", {a}}, {"b", {b}}}}}}}; }
 
 TEST(Values, come_back_as_they_went) {
     const Value all{List{{1.5}, {std::int64_t(-3)}, {true}, {std::string("A-B")}, {}, spans(-inf, 2)}};
