@@ -70,28 +70,91 @@ Crossings combined(Operation operation, const Crossings& a, const Crossings* b) 
     return {stack.top_begin(), stack.top_begin() + stack.top_size()};
 }
 
+/// A and B are on top of the stack; what the operation makes of them replaces them.
+void combine_top(const World<Substituted>& world, const Ray<double>& ray, Operation operation,
+                 std::vector<Crossings>& stack) {
+    if (operation == Operation::complement) {
+        stack.back() = combined(operation, stack.back(), nullptr);
+        return;
+    }
+    const Crossings b = std::move(stack.back());
+    stack.pop_back();
+    Crossings& a = stack.back();
+    const bool theirs = operation == Operation::difference && formulas_in_use().formulas->difference;
+    a = theirs ? difference(world, ray, a, b) : combined(operation, a, &b);
+}
+
+Crossings leaf(const World<Substituted>& world, std::uint32_t solid, const Ray<double>& ray,
+               const LeavingSurface<double>* leaving, Work<double>& work) {
+    work.scratch.clear();
+    work.scratch.push();
+    append_crossings(world, solid, ray, leaving, work);
+    return {work.scratch.top_begin(), work.scratch.top_begin() + work.scratch.top_size()};
+}
+
 Crossings compound(const World<Substituted>& world, const Program& program, const Ray<double>& ray,
                    const LeavingSurface<double>* leaving, Work<double>& work) {
     std::vector<Crossings> stack;
     for (const Instruction& step : program) {
         if (step.kind == Instruction::Kind::guard) continue; // it only saves work
         if (step.kind == Instruction::Kind::leaf) {
-            work.scratch.clear();
-            work.scratch.push();
-            append_crossings(world, step.operand, ray, leaving, work);
-            stack.emplace_back(work.scratch.top_begin(), work.scratch.top_begin() + work.scratch.top_size());
+            stack.push_back(leaf(world, step.operand, ray, leaving, work));
             work.of_operands.insert(work.of_operands.end(), stack.back().begin(), stack.back().end());
-        } else if (step.kind == Instruction::Kind::complement) {
-            stack.back() = combined(step.operation, stack.back(), nullptr);
         } else {
-            const Crossings b = std::move(stack.back());
-            stack.pop_back();
-            Crossings& a = stack.back();
-            a = step.operation == Operation::difference ? difference(world, ray, a, b)
-                                                        : combined(step.operation, a, &b);
+            const bool complement = step.kind == Instruction::Kind::complement;
+            combine_top(world, ray, complement ? Operation::complement : step.operation, stack);
         }
     }
     return stack.back();
+}
+
+void put_back(const Crossings& list, SpanStack<double>& scratch) {
+    scratch.clear();
+    scratch.push();
+    for (const Crossing<double>& crossing : list) scratch.append(crossing);
+}
+
+Boundary boundary_of(const Crossing<double>& crossing) {
+    const bool bounded = is_finite(crossing.t);
+    return {crossing.t, bounded ? Id(crossing.surface.solid) : none, int(crossing.surface.face),
+            bounded && crossing.surface.flipped};
+}
+
+void record_list(std::uint32_t object, std::size_t node, const Crossings& list, bool volume,
+                 TraceRecorder& recorder) {
+    const std::size_t step = volume ? 2 : 1;
+    recorder.record(NodeEvaluated{Id(object), Id(node), int(list.size() / step)});
+    for (std::size_t i = 0; i + step <= list.size(); i += step)
+        recorder.record(SpanFound{boundary_of(list[i]), boundary_of(list[i + step - 1])});
+}
+
+/// Node by node of the author's tree; nothing if the line misses all of its generics.
+void record_nodes(const World<Substituted>& world, std::uint32_t object, const Ray<double>& ray,
+                  const LeavingSurface<double>* leaving, TraceRecorder& recorder) {
+    const Compound& tree = world.compounds[world.objects[object].index];
+    Work<double> work;
+    bool misses = true;
+    for (const CompoundNode& node : tree.nodes)
+        misses = misses &&
+                 (node.operation != Operation::leaf || leaf(world, node.solid, ray, leaving, work).empty());
+    if (misses) return;
+    std::vector<Crossings> stack;
+    for (std::size_t i = 0; i < tree.nodes.size() && !recorder.full(); ++i) {
+        const CompoundNode& node = tree.nodes[i];
+        if (node.operation == Operation::leaf)
+            stack.push_back(leaf(world, node.solid, ray, leaving, work));
+        else
+            combine_top(world, ray, node.operation, stack);
+        if (i + 1 == tree.nodes.size()) {
+            put_back(stack.back(), work.scratch);
+            settle(world, ray, work.scratch, [&](const Cluster<double>& cluster) {
+                recorder.record(
+                    ClusterMerged{Id(object), cluster.count, cluster.first, cluster.last, cluster.kept});
+            });
+            stack.back().assign(work.scratch.top_begin(), work.scratch.top_begin() + work.scratch.top_size());
+        }
+        record_list(object, i, stack.back(), true, recorder);
+    }
 }
 
 } // namespace
@@ -128,30 +191,29 @@ crossings<Substituted, double>(const World<Substituted>& world, std::uint32_t ob
     const Object& o = world.objects[object];
     ++work.counters.objects;
     work.of_operands.clear();
-    Crossings list;
-    if (o.is_compound) {
-        ++work.counters.compounds;
-        if (formulas_in_use().formulas->difference)
-            list = compound(world, world.compounds[o.index].program, ray, leaving, work);
-        else
-            run(std::span<const Instruction>(world.compounds[o.index].program), work.scratch,
-                [&](std::uint32_t solid) {
-                    append_crossings(world, solid, ray, leaving, work);
-                    work.of_operands.insert(work.of_operands.end(), work.scratch.top_begin(),
-                                            work.scratch.top_begin() + work.scratch.top_size());
-                });
+    if (!o.is_compound) {
+        put_back(leaf(world, o.index, ray, leaving, work), work.scratch);
     } else {
-        work.scratch.clear();
-        work.scratch.push();
-        append_crossings(world, o.index, ray, leaving, work);
+        ++work.counters.compounds;
+        put_back(compound(world, world.compounds[o.index].program, ray, leaving, work), work.scratch);
+        settle(world, ray, work.scratch, unrecorded);
     }
-    if (o.is_compound && formulas_in_use().formulas->difference) {
-        work.scratch.clear();
-        work.scratch.push();
-        for (const Crossing<double>& crossing : list) work.scratch.append(crossing);
-    }
-    if (o.is_compound) settle(world, ray, work.scratch, unrecorded);
     return {work.scratch.top_begin(), work.scratch.top_size()};
+}
+
+template <>
+void record_object<Substituted, double>(const World<Substituted>& world, std::uint32_t object,
+                                        const Ray<double>& ray, const Range<double>& range,
+                                        const LeavingSurface<double>* leaving, TraceRecorder& recorder) {
+    Work<double> work;
+    const auto found = crossings(world, object, ray, leaving, work);
+    const Crossings list(found.begin(), found.end());
+    if (world.objects[object].is_compound)
+        record_nodes(world, object, ray, leaving, recorder);
+    else if (!list.empty())
+        record_list(object, 0, list, world.objects[object].has_volume, recorder);
+    if (const auto first = first_crossing(world, ray, found, range, leaving))
+        recorder.record(ObjectAccepted{Id(object), first->t});
 }
 
 } // namespace rayscope

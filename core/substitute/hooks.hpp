@@ -5,6 +5,7 @@
 #include "core/math/substituted.hpp"
 #include "core/reflection/mirror.hpp"
 #include "core/refraction/snell.hpp"
+#include "core/stage/record_object.hpp"
 #include "core/substitute/formulas.hpp"
 #include "core/world/inside_list.hpp"
 
@@ -48,5 +49,10 @@ template <>
 std::span<const Crossing<double>>
 crossings<Substituted, double>(const World<Substituted>& world, std::uint32_t object, const Ray<double>& ray,
                                const LeavingSurface<double>* leaving, Work<double>& work);
+
+template <>
+void record_object<Substituted, double>(const World<Substituted>& world, std::uint32_t object,
+                                        const Ray<double>& ray, const Range<double>& range,
+                                        const LeavingSurface<double>* leaving, TraceRecorder& recorder);
 
 } // namespace rayscope
