@@ -80,9 +80,8 @@ DivergenceText divergence_text(const Trace& ours, const Trace& theirs) {
     std::string text;
     for (std::size_t i = 0; i < std::min(std::size_t(first.ray), ours.rays.size()); ++i)
         text += fmt::format("ray {}, both: {}\n", i, ray_text(ours, i));
-    text +=
-        fmt::format("\nThe first divergence, at ray {}: {}\n  ours   {}\n  yours  {}\n\n", first.ray,
-                    question(first.answer), value_text(first, first.first), value_text(first, first.second));
+    text += fmt::format("\nThe first divergence, at ray {}: {}\n{}\n", first.ray, question(first.answer),
+                        values_text(first));
     for (const auto& [whose, trace] : {std::pair{"ours ", &ours}, std::pair{"yours", &theirs}}) {
         const auto number = std::size_t(first.ray);
         text += fmt::format("{}  ray {}: {}\n", whose, number, ray_text(*trace, number));
