@@ -8,6 +8,7 @@
 #include "core/scene/read_nff.hpp"
 #include "core/scene/read_toml.hpp"
 #include "core/scene/source_text.hpp"
+#include "core/substitute/substituted.hpp"
 #include "core/trace/rescale.hpp"
 #include "core/tracer/object_spans.hpp"
 #include "core/tracer/stage_set.hpp"
@@ -81,6 +82,13 @@ Trace traced(const Workbench& bench, const Configuration& configuration, const R
         return recorded(world_of<N>(bench.scene, configuration), ray, address_of(source));
     });
     return named(bench, configuration, std::move(recording), std::move(source));
+}
+
+Trace traced(const Workbench& bench, const Formulas& formulas, const Ray<double>& ray, TraceSource source) {
+    Recording recording = recorded<double>(
+        ray, [&](const Ray<double>& scaled) { return record_with(bench.scene, formulas, scaled); });
+    return named(bench, {{}, bench.world.max_depth, bench.world.min_weight}, std::move(recording),
+                 std::move(source));
 }
 
 Screen screen_of(const Camera& camera, int width, int height) {
@@ -180,6 +188,19 @@ Trace trace_pixel(const Workbench& bench, int x, int y, int width, int height, i
 }
 
 Trace trace_ray(const Workbench& bench, const Ray<double>& ray) { return traced(bench, ray, by_hand(ray)); }
+
+RenderResult render(const Workbench& bench, const Formulas& formulas, const RenderOptions& options) {
+    return render_with(bench.scene, formulas, options);
+}
+
+Trace trace_pixel(const Workbench& bench, const Formulas& formulas, int x, int y, int width, int height) {
+    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height);
+    return traced(bench, formulas, ray, std::move(source));
+}
+
+Trace trace_ray(const Workbench& bench, const Formulas& formulas, const Ray<double>& ray) {
+    return traced(bench, formulas, ray, by_hand(ray));
+}
 
 std::shared_ptr<const StageSet> make_stages(const Workbench& bench, const std::optional<StageChoice>& choice,
                                             int width, int height) {

@@ -24,6 +24,8 @@
 #include "core/scene/wording.hpp"
 #include "core/shading/phong.hpp"
 #include "core/shading/spectrum.hpp"
+#include "core/substitute/formulas.hpp"
+#include "core/trace/children.hpp"
 #include "core/trace/divergence.hpp"
 #include "core/trace/ledger.hpp"
 #include "core/trace/trace.hpp"
@@ -80,6 +82,13 @@ struct Workbench {
 
 /// A ray given by hand. Its direction need not be unit.
 [[nodiscard]] Trace trace_ray(const Workbench& bench, const Ray<double>& ray);
+
+/// By formulas that stand in place of ours. Both throw what the formulas throw.
+[[nodiscard]] RenderResult render(const Workbench& bench, const Formulas& formulas,
+                                  const RenderOptions& options = {});
+[[nodiscard]] Trace trace_pixel(const Workbench& bench, const Formulas& formulas, int x, int y, int width = 0,
+                                int height = 0);
+[[nodiscard]] Trace trace_ray(const Workbench& bench, const Formulas& formulas, const Ray<double>& ray);
 
 /// What finds the hits of a workbench's rays: built once, asked by many. The workbench must outlive it.
 /// @param choice none: the quickest for the scene

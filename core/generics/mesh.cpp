@@ -1,6 +1,7 @@
 #include "core/generics/mesh.hpp"
 
 #include "core/generics/triangle_ray.hpp"
+#include "core/math/substituted.hpp"
 
 #include <algorithm>
 
@@ -209,5 +210,6 @@ template class Mesh<Textbook<float>>;
 template class Mesh<Textbook<double>>;
 template class Mesh<Textbook<long double>>;
 template class Mesh<Textbook<Float128>>;
+template class Mesh<Substituted>;
 
 } // namespace rayscope

@@ -1,6 +1,7 @@
 #include "core/generics/polygon.hpp"
 
 #include "core/generics/outline.hpp"
+#include "core/math/substituted.hpp"
 
 namespace rayscope {
 namespace {
@@ -100,5 +101,6 @@ template class Polygon<Textbook<float>>;
 template class Polygon<Textbook<double>>;
 template class Polygon<Textbook<long double>>;
 template class Polygon<Textbook<Float128>>;
+template class Polygon<Substituted>;
 
 } // namespace rayscope

@@ -1,5 +1,6 @@
 #include "core/math/transform.hpp"
 
+#include "core/math/substituted.hpp"
 #include <array>
 
 namespace rayscope {
@@ -102,5 +103,6 @@ template class Transform<Textbook<float>>;
 template class Transform<Textbook<double>>;
 template class Transform<Textbook<long double>>;
 template class Transform<Textbook<Float128>>;
+template class Transform<Substituted>;
 
 } // namespace rayscope

@@ -1,5 +1,6 @@
 #include "core/scene/build.hpp"
 
+#include "core/math/substituted.hpp"
 #include "core/scene/expand.hpp"
 
 #include <functional>
@@ -225,5 +226,6 @@ template World<long double> build(const Scene&);
 template World<Textbook<long double>> build(const Scene&);
 template World<Float128> build(const Scene&);
 template World<Textbook<Float128>> build(const Scene&);
+template World<Substituted> build(const Scene&);
 
 } // namespace rayscope

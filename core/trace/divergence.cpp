@@ -1,5 +1,6 @@
 #include "core/trace/divergence.hpp"
 
+#include "core/trace/children.hpp"
 #include "core/trace/explained.hpp"
 #include "core/trace/given.hpp"
 
@@ -18,27 +19,6 @@ template <typename E> std::vector<const E*> all(const TracedRay& ray) {
 }
 
 template <typename E> bool has(const TracedRay& ray) { return ray.find<E>() != nullptr; }
-
-/// The children of a kind: several refracted ones where each carries a wavelength.
-std::vector<int> children_of(const Trace& trace, const TracedRay& ray, RayKind kind) {
-    std::vector<int> list;
-    for (const int child : ray.children)
-        if (trace.rays[std::size_t(child)].start().kind == kind) list.push_back(child);
-    return list;
-}
-
-/// The shadow ray that asked for this light, or this point of its area: of several the one with its direction.
-/// @param likely the one that did in another trace; it is taken where it asks for this light and none has the direction
-int shadow_ray_of(const Trace& trace, const TracedRay& ray, const LightLit& lit, int likely = none) {
-    int found = none;
-    for (const int child : children_of(trace, ray, RayKind::shadow)) {
-        const RaySpawned& start = trace.rays[std::size_t(child)].start();
-        if (start.light != lit.light) continue;
-        if (start.direction == lit.to_light) return child;
-        if (child == likely || lit.samples == 1) found = child;
-    }
-    return found;
-}
 
 /// Why none of this kind follows; nothing if one does, or should.
 std::optional<Reason> refusal(const TracedRay& ray, RayKind kind) {

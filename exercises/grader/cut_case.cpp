@@ -48,14 +48,19 @@ CutCase cut_case(const std::filesystem::path& path, int event) {
         const std::string about = fmt::format("event {} of {}", event, path.filename().string());
         const Vec3d d = ray.start().direction;
         if (at != nullptr && std::holds_alternative<Reflected>(what))
-            return {"3-01-mirror", fmt::format("c.add({}, {}, {}, {});", nlohmann::json(about).dump(), code(at->point), code(d),
-                                               code(at->facing))};
-        if (at != nullptr && (std::holds_alternative<Refracted>(what) || std::holds_alternative<TotallyReflected>(what)))
-            return {"4-02-refract", fmt::format("c.add({}, {}, {}, double({}), double({}));", nlohmann::json(about).dump(),
-                                                code(d), code(at->facing), at->speed_from, at->speed_to)};
-        fail(fmt::format("event {} is none that an exercise asks for; expected reflected, refracted or totally_reflected", event));
+            return {"3-01-mirror", fmt::format("c.add({}, {}, {}, {});", nlohmann::json(about).dump(),
+                                               code(at->point), code(d), code(at->facing))};
+        if (at != nullptr &&
+            (std::holds_alternative<Refracted>(what) || std::holds_alternative<TotallyReflected>(what)))
+            return {"4-02-refract",
+                    fmt::format("c.add({}, {}, {}, double({}), double({}));", nlohmann::json(about).dump(),
+                                code(d), code(at->facing), at->speed_from, at->speed_to)};
+        fail(fmt::format(
+            "event {} is none that an exercise asks for; expected reflected, refracted or totally_reflected",
+            event));
     }
-    fail(fmt::format("there is no event {}; expected 0 to {}", event, total - std::min<std::size_t>(total, 1)));
+    fail(fmt::format("there is no event {}; expected 0 to {}", event,
+                     total - std::min<std::size_t>(total, 1)));
     return {};
 }
 

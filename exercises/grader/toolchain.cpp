@@ -197,15 +197,16 @@ Compiled Toolchain::compile(const Unit& unit, const fs::path& to) const {
         words.insert(words.end(), sanitizers.begin(), sanitizers.end());
     else
         words.emplace_back("-static");
-    words.insert(words.end(), {"-I" + inside, unit.files.front().name, "-o", "program",
-                               inside + "/wire.o", inside + (unit.reference ? "/reference_main.o" : "/answer_main.o")});
+    words.insert(words.end(), {"-I" + inside, unit.files.front().name, "-o", "program", inside + "/wire.o",
+                               inside + (unit.reference ? "/reference_main.o" : "/answer_main.o")});
     int code = 0;
     const std::string output = run_compiler(words, work.path(), program_bytes, code);
     Compiled result;
     result.diagnostics = diagnostics_of(output, unit.about);
     if (code == 0 && fs::is_regular_file(fs::symlink_status(work.path() / "program"))) {
-        constexpr fs::perms run_by_all = fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
-                                         fs::perms::others_read | fs::perms::others_exec;
+        constexpr fs::perms run_by_all = fs::perms::owner_all | fs::perms::group_read |
+                                         fs::perms::group_exec | fs::perms::others_read |
+                                         fs::perms::others_exec;
         fs::permissions(work.path() / "program", run_by_all);
         fs::rename(work.path() / "program", to);
         result.program = to;

@@ -72,8 +72,8 @@ Unit variants_unit(const Exercise& exercise, const std::vector<Variant>& variant
     for (std::size_t i = 0; i < variants.size(); ++i) {
         std::string code;
         take_includes(variants[i].code, includes, code);
-        body += fmt::format("namespace rx_variant_{} {{\n{}#line 1 \"{}\"\n{}\n}}\n", i, declarations(exercise),
-                            variants[i].name, code);
+        body += fmt::format("namespace rx_variant_{} {{\n{}#line 1 \"{}\"\n{}\n}}\n", i,
+                            declarations(exercise), variants[i].name, code);
         choice += fmt::format("    case {}: return wire::answer(in, out{});\n", i,
                               function_names(exercise, fmt::format("rx_variant_{}::", i)));
     }

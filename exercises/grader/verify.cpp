@@ -43,7 +43,8 @@ Unit trial_unit(const Exercise& exercise) {
 
 Compiled compiled(const Toolchain& toolchain, const Unit& unit, const char* what, Problems& problems) {
     Compiled built = toolchain.kept(unit);
-    if (built.program.empty()) problems.add(fmt::format("{} does not compile: {}", what, compile_text(built)));
+    if (built.program.empty())
+        problems.add(fmt::format("{} does not compile: {}", what, compile_text(built)));
     return built;
 }
 
@@ -52,7 +53,8 @@ Grade graded_variant(const Toolchain& toolchain, const Reference& reference, con
     return grade(toolchain, reference, trial, CaseRunner::Trust::none, {"answer", std::to_string(variant)});
 }
 
-void check_stub(const Toolchain& toolchain, const Reference& reference, const Compiled& trial, Problems& problems) {
+void check_stub(const Toolchain& toolchain, const Reference& reference, const Compiled& trial,
+                Problems& problems) {
     const Grade found = graded_variant(toolchain, reference, trial, 0);
     for (std::size_t i = 0; i < found.groups.size(); ++i)
         if (found.groups[i].right > 0)
@@ -65,9 +67,9 @@ void check_solution(const Toolchain& toolchain, const Reference& reference, cons
     const Grade right = grade(toolchain, reference, solution, trust);
     for (std::size_t i = 0; i < right.cases.size(); ++i)
         if (!right.cases[i].right)
-            return problems.add(fmt::format("the solution is wrong in '{}' (seed {}): {} {} {}", reference.cases[i].about,
-                                            reference.seed, text_of(right.cases[i].outcome),
-                                            right.cases[i].complaint, right.cases[i].outcome.printed));
+            return problems.add(fmt::format(
+                "the solution is wrong in '{}' (seed {}): {} {} {}", reference.cases[i].about, reference.seed,
+                text_of(right.cases[i].outcome), right.cases[i].complaint, right.cases[i].outcome.printed));
 }
 
 void check_misconception(const Toolchain& toolchain, const Reference& reference, std::size_t index,
@@ -79,7 +81,8 @@ void check_misconception(const Toolchain& toolchain, const Reference& reference,
         const auto group =
             std::size_t(std::ranges::find(exercise.groups, name, &Group::name) - exercise.groups.begin());
         if (found.groups[group].right == found.groups[group].cases)
-            problems.add(fmt::format("{} loses no point in group '{}' (seed {})", wrong.name, name, reference.seed));
+            problems.add(
+                fmt::format("{} loses no point in group '{}' (seed {})", wrong.name, name, reference.seed));
     }
     if (!found.misconception)
         problems.add(fmt::format("{} is not recognised (seed {})", wrong.name, reference.seed));
@@ -151,8 +154,7 @@ std::vector<std::string> problems_of(const Toolchain& toolchain, const Exercise&
         const Compiled trial =
             compiled(toolchain, trial_unit(exercise), "the stub, or a misconception", problems);
         const std::string code = read_code(exercise.solution());
-        const Compiled solution =
-                           compiled(toolchain, answer_unit(exercise, code), "the solution", problems),
+        const Compiled solution = compiled(toolchain, answer_unit(exercise, code), "the solution", problems),
                        sanitized = compiled(toolchain, answer_unit(exercise, code, true),
                                             "the solution, under sanitizers,", problems);
         for (const std::uint64_t seed : seeds) {

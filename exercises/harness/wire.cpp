@@ -33,13 +33,11 @@ std::string read_input() {
     return text;
 }
 
-int run_and_write(void (*work)(int count, char** words, Reader& in, Writer& out), int count, char** words) {
+namespace {
+
+template <typename Work> int guarded(const Work& work) {
     try {
-        const std::string input = read_input();
-        Reader in(input);
-        Writer out;
-        work(count, words, in, out);
-        write_all(out.bytes);
+        work();
         return 0;
     } catch (const NotYetWritten&) {
         return not_yet_written;
@@ -49,6 +47,44 @@ int run_and_write(void (*work)(int count, char** words, Reader& in, Writer& out)
         std::fprintf(stderr, "exception of a type of its own\n");
     }
     return threw;
+}
+
+bool read_bytes(char* to, std::size_t count) {
+    while (count > 0) {
+        const ssize_t got = read(STDIN_FILENO, to, count);
+        if (got <= 0) return false;
+        to += got;
+        count -= static_cast<std::size_t>(got);
+    }
+    return true;
+}
+
+} // namespace
+
+int run_and_write(void (*work)(int count, char** words, Reader& in, Writer& out), int count, char** words) {
+    return guarded([&] {
+        const std::string input = read_input();
+        Reader in(input);
+        Writer out;
+        work(count, words, in, out);
+        write_all(out.bytes);
+    });
+}
+
+int serve(void (*work)(Reader& in, Writer& out)) {
+    return guarded([&] {
+        std::uint32_t size = 0;
+        std::string input;
+        while (read_bytes(reinterpret_cast<char*>(&size), sizeof size)) {
+            input.resize(size);
+            if (!read_bytes(input.data(), size)) return;
+            Reader in(input);
+            Writer out, length;
+            work(in, out);
+            length.raw(static_cast<std::uint32_t>(out.bytes.size()));
+            write_all(length.bytes + out.bytes);
+        }
+    });
 }
 
 } // namespace rx::wire

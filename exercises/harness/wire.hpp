@@ -253,5 +253,7 @@ template <typename... F> void answer(Reader& in, Writer& out, F... functions) {
 [[nodiscard]] std::string read_input();
 /// Runs `work` and writes what it leaves in the writer to descriptor 3; the exit code says how that went.
 int run_and_write(void (*work)(int count, char** words, Reader& in, Writer& out), int count, char** words);
+/// The same for one call after the other, until the input ends: each and its answer behind their length, 4 bytes.
+int serve(void (*work)(Reader& in, Writer& out));
 
 } // namespace rx::wire

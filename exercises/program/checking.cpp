@@ -29,7 +29,10 @@ std::optional<std::string> ray_command(const Toolchain& toolchain, const Checked
         fs::create_directories(folder);
         const fs::path file = folder / (exercise.id + ".toml");
         write_text_file(file, show->scene);
-        return fmt::format("{} step {} --ray={}", launcher(), quoted(file), show->ray);
+        // Where the function stands for a formula of the tracer, both runs are shown, up to where they part.
+        const std::string with =
+            exercise.formula.empty() ? "" : fmt::format(" --with {}", quoted(workspace.file(exercise)));
+        return fmt::format("{} step {} --ray={}{}", launcher(), quoted(file), show->ray, with);
     }
     if (exercise.scene.empty()) return std::nullopt;
     return fmt::format("{} step {}", launcher(), exercise.scene);

@@ -22,5 +22,7 @@ namespace rayscope::exercises {
 [[nodiscard]] int run(const Context& context, const GradeAll& command);
 [[nodiscard]] int run(const Context& context, const Package& command);
 [[nodiscard]] int run(const Context& context, const New& command);
+[[nodiscard]] int run(const Context& context, const RenderWith& command);
+[[nodiscard]] int run(const Context& context, const StepWith& command);
 
 } // namespace rayscope::exercises

@@ -72,14 +72,17 @@ public:
     [[nodiscard]] SubmissionMark mark(const Submission& submission) const {
         const fs::path state = output_ / ".state" / (submission.student + ".json");
         const std::string key = key_of(references_, submission);
-        if (auto known = known_mark(state, key)) return *known;
+        if (auto known = known_mark(state, key, submission)) return *known;
         std::vector<ExerciseMark> exercises;
         for (const Reference& reference : references_)
             exercises.push_back(exercise_mark(reference, submission));
-        SubmissionMark result = mark_of(submission.student, std::move(exercises));
+        const std::string text =
+            dumped({{"key", key}, {"mark", to_json(mark_of(submission.student, std::move(exercises)))}});
+        // As it will be read again: what is no UTF-8 is lost in JSON, and reports must not depend on when they are made.
+        SubmissionMark result = read_mark(text, submission);
         write_reports(result);
         // Last: what is on record here is complete.
-        write_text_file(state, dumped({{"key", key}, {"mark", to_json(result)}}));
+        write_text_file(state, text);
         return result;
     }
 
@@ -88,13 +91,19 @@ private:
         return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     }
 
-    [[nodiscard]] std::optional<SubmissionMark> known_mark(const fs::path& state,
-                                                           const std::string& key) const {
+    [[nodiscard]] static SubmissionMark read_mark(const std::string& text, const Submission& submission) {
+        SubmissionMark mark = mark_from_json(nlohmann::json::parse(text).at("mark"));
+        mark.student = submission.student;
+        return mark;
+    }
+
+    [[nodiscard]] std::optional<SubmissionMark> known_mark(const fs::path& state, const std::string& key,
+                                                           const Submission& submission) const {
         if (!fs::is_regular_file(state)) return std::nullopt;
         try {
-            const auto document = nlohmann::json::parse(read_file(state, most_state));
-            if (document.at("key") != key) return std::nullopt;
-            return mark_from_json(document.at("mark"));
+            const std::string text = read_file(state, most_state);
+            if (nlohmann::json::parse(text).at("key") != key) return std::nullopt;
+            return read_mark(text, submission);
         } catch (const nlohmann::json::exception&) {
             return std::nullopt; // not of this program: graded again
         }

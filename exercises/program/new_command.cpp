@@ -19,7 +19,8 @@ namespace {
 void copy_exercise(const fs::path& from, const fs::path& to) {
     fs::create_directories(to / "misconceptions");
     for (const auto& entry : fs::recursive_directory_iterator(from))
-        if (entry.is_regular_file()) write_text_file(to / entry.path().lexically_relative(from), read_code(entry.path()));
+        if (entry.is_regular_file())
+            write_text_file(to / entry.path().lexically_relative(from), read_code(entry.path()));
 }
 
 /// Puts the case in front of all others.
@@ -55,8 +56,8 @@ int run(const Context& context, const New& command) {
         throw;
     }
     std::printf("%s is an exercise now. Change its files, then:\n  %s exercises --exercises %s verify %s\n",
-                command.folder.c_str(), launcher().c_str(), fs::absolute(command.folder).parent_path().c_str(),
-                command.folder.filename().c_str());
+                command.folder.c_str(), launcher().c_str(),
+                fs::absolute(command.folder).parent_path().c_str(), command.folder.filename().c_str());
     return done;
 }
 

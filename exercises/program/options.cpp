@@ -53,6 +53,32 @@ void add_student_commands(CLI::App& app, Options& options) {
     }
 }
 
+/// What `rayscope render` and `rayscope step` become with --with.
+void add_formula_commands(CLI::App& app, Options& options) {
+    const char* with = "the exercise whose function stands in place of ours: your file of it, or a path";
+    {
+        CLI::App* const sub =
+            app.add_subcommand("render", "the image that your function makes, beside the right one");
+        const auto value = std::make_shared<RenderWith>();
+        sub->add_option("SCENE", value->scene, "a scene file, or the name of a shipped one")->required();
+        sub->add_option("--with", value->with, with)->required();
+        sub->add_option("-o,--output", value->output, "the image (default: rayscope-with.png)");
+        sub->add_option("--size", value->size, "WxH of each of the three panels");
+        sub->final_callback([&options, value] { options.command = *value; });
+    }
+    {
+        CLI::App* const sub =
+            app.add_subcommand("step", "where a ray with your function and one with ours part");
+        const auto value = std::make_shared<StepWith>();
+        sub->add_option("SCENE", value->scene, "a scene file, or the name of a shipped one")->required();
+        sub->add_option("--with", value->with, with)->required();
+        CLI::Option* const pixel = sub->add_option("--pixel", value->pixel, "X,Y (default: the centre)");
+        sub->add_option("--ray", value->ray, "ox,oy,oz,dx,dy,dz")->excludes(pixel);
+        sub->add_option("--size", value->size, "WxH of the image that the pixel belongs to");
+        sub->final_callback([&options, value] { options.command = *value; });
+    }
+}
+
 void add_instructor_commands(CLI::App& app, Options& options) {
     const auto command = [&](const char* name, const char* about, auto value) {
         CLI::App* const sub = app.add_subcommand(name, about);
@@ -106,6 +132,7 @@ Options parse_options(int count, const char* const* arguments) {
     app.add_option("--exercises", options.catalogue, "a folder with exercises of your own");
     add_student_commands(app, options);
     add_instructor_commands(app, options);
+    add_formula_commands(app, options);
     try {
         app.parse(count, arguments);
     } catch (const CLI::CallForHelp&) {

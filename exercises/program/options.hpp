@@ -54,13 +54,22 @@ struct New {
     std::optional<std::filesystem::path> trace;
     std::optional<int> event;
 };
+struct RenderWith {
+    std::string scene, with;
+    std::filesystem::path output = "rayscope-with.png";
+    std::optional<std::string> size;
+};
+struct StepWith {
+    std::string scene, with;
+    std::optional<std::string> pixel, ray, size;
+};
 /// Help, already answered: the text goes to stdout.
 struct Help {
     std::string text;
 };
 
 using Command = std::variant<Help, Start, Watch, ListExercises, Check, CheckAll, Hint, Reset, ShowSolution,
-                             Next, Predict, Verify, GradeAll, Package, New>;
+                             Next, Predict, Verify, GradeAll, Package, New, RenderWith, StepWith>;
 
 struct Options {
     Command command;

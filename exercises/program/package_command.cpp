@@ -27,14 +27,16 @@ std::string options_text(std::uint64_t seed, const std::vector<std::string>& exe
 void copy_sources(const fs::path& to) {
     const fs::path root = fs::path(RAYSCOPE_EXERCISES).parent_path();
     fs::create_directories(to);
-    for (const char* name : {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "cmake", "core", "exercises", "visualizer"})
+    for (const char* name :
+         {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "cmake", "core", "exercises", "visualizer"})
         fs::copy(root / name, to / name, fs::copy_options::recursive);
 }
 
 /// Of all that is in the folder, with the same times whenever it is made.
 void zip(const fs::path& folder, const fs::path& output) {
-    std::vector<std::string> words{"env",  "-C", folder.string(),    "cmake", "-E", "tar",
-                                   "cf", "package.zip", "--format=zip", "--mtime=2000-01-01 00:00:00"};
+    std::vector<std::string> words{
+        "env", "-C", folder.string(), "cmake",        "-E",
+        "tar", "cf", "package.zip",   "--format=zip", "--mtime=2000-01-01 00:00:00"};
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
     std::sort(names.begin(), names.end());
@@ -42,7 +44,8 @@ void zip(const fs::path& folder, const fs::path& output) {
     Child child(words, {}, Child::Errors::with_output);
     const auto ended = child.finish(4096, std::chrono::minutes(2));
     if (!ended || ended->code != 0)
-        throw std::runtime_error("can't make the zip file: " + (ended ? ended->output : "cmake does not end"));
+        throw std::runtime_error("can't make the zip file: " +
+                                 (ended ? ended->output : "cmake does not end"));
     AtomicFile file(output);
     fs::copy_file(folder / "package.zip", file.temporary(), fs::copy_options::overwrite_existing);
     file.commit();
@@ -57,7 +60,8 @@ std::uint64_t random_seed() {
 
 int run(const Context& context, const Package& command) {
     if (command.output.extension() != ".zip")
-        throw UsageError(fmt::format("-o: expected a file that ends in .zip, found '{}'", command.output.string()));
+        throw UsageError(
+            fmt::format("-o: expected a file that ends in .zip, found '{}'", command.output.string()));
     check_writable(command.output);
     const PrivateFolder folder(cache_folder());
     if (command.student) {
@@ -67,7 +71,8 @@ int run(const Context& context, const Package& command) {
         return done;
     }
     std::vector<std::string> ids;
-    for (const std::string& name : command.exercises) ids.push_back(find_exercise(context.catalogue, name).id);
+    for (const std::string& name : command.exercises)
+        ids.push_back(find_exercise(context.catalogue, name).id);
     if (ids.empty())
         for (const Exercise& exercise : context.catalogue) ids.push_back(exercise.id);
     const std::uint64_t seed = context.options.seed.value_or(random_seed());
@@ -76,8 +81,9 @@ int run(const Context& context, const Package& command) {
         fs::copy_file(fs::path(RAYSCOPE_EXERCISES) / "gradescope" / name, folder.path() / name);
     write_text_file(folder.path() / "options", options_text(seed, ids, context.options.unsafe));
     zip(folder.path(), command.output);
-    std::printf("%s: an autograder for %zu exercises. It holds solutions and the seed %llu: for instructors only.\n",
-                command.output.c_str(), ids.size(), static_cast<unsigned long long>(seed));
+    std::printf(
+        "%s: an autograder for %zu exercises. It holds solutions and the seed %llu: for instructors only.\n",
+        command.output.c_str(), ids.size(), static_cast<unsigned long long>(seed));
     return done;
 }
 

@@ -67,6 +67,25 @@ void limit(__rlimit_resource what, rlim_t most) {
     setrlimit(what, &both);
 }
 
+/// For code that nobody trusts; false where the system can't give them.
+bool set_limits() {
+    limit(RLIMIT_STACK, most_stack);
+    limit(RLIMIT_AS, most_memory);
+    limit(RLIMIT_FSIZE, 0);
+    limit(RLIMIT_NOFILE, 16);
+    return allow_only_computing();
+}
+
+[[noreturn]] void start(const std::string& program, const std::vector<std::string>& given) {
+    std::vector<std::string> copies = given;
+    std::vector<char*> words{const_cast<char*>(program.c_str())};
+    for (std::string& word : copies) words.push_back(word.data());
+    words.push_back(nullptr);
+    std::array<char*, 1> nothing{nullptr};
+    execve(program.c_str(), words.data(), nothing.data());
+    _exit(not_started);
+}
+
 [[noreturn]] void become(const Run& what, const Limits& limits, int input, int print, int answer) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     // Above the numbers that they are to get, so that none is overwritten before it is copied.
@@ -77,20 +96,8 @@ void limit(__rlimit_resource what, rlim_t most) {
     if (syscall(SYS_close_range, answers + 1, ~0U, 0) != 0) _exit(not_started);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, rlim_t(limits.cpu.count() / 1000) + 2);
-    if (limits.computing_only) {
-        limit(RLIMIT_STACK, most_stack);
-        limit(RLIMIT_AS, most_memory);
-        limit(RLIMIT_FSIZE, 0);
-        limit(RLIMIT_NOFILE, 16);
-        if (!allow_only_computing()) _exit(not_started);
-    }
-    std::vector<std::string> copies = what.words;
-    std::vector<char*> words{const_cast<char*>(what.program.c_str())};
-    for (std::string& word : copies) words.push_back(word.data());
-    words.push_back(nullptr);
-    std::array<char*, 1> nothing{nullptr};
-    execve(what.program.c_str(), words.data(), nothing.data());
-    _exit(not_started);
+    if (limits.computing_only && !set_limits()) _exit(not_started);
+    start(what.program, what.words);
 }
 
 std::chrono::nanoseconds cpu_time(pid_t process) {
@@ -164,6 +171,20 @@ End run(const Run& what, const Limits& limits) {
     print.in.shut();
     answer.in.shut();
     return watch(child, print, answer, limits);
+}
+
+void become_server(const std::string& program) {
+    constexpr rlim_t server_seconds = 600;
+    // What it prints goes nowhere: a file that it may not write to.
+    std::signal(SIGXFSZ, SIG_IGN);
+    const int nowhere = memfd_create("print", 0);
+    if (dup2(STDOUT_FILENO, answers) < 0 || dup2(nowhere, STDOUT_FILENO) < 0 ||
+        dup2(nowhere, STDERR_FILENO) < 0 || syscall(SYS_close_range, answers + 1, ~0U, 0) != 0)
+        _exit(not_started);
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CPU, server_seconds);
+    if (!set_limits()) _exit(not_started);
+    start(program, {"serve"});
 }
 
 } // namespace rayscope::runner

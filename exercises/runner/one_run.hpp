@@ -29,4 +29,7 @@ struct End {
 
 [[nodiscard]] End run(const Run& what, const Limits& limits);
 
+/// Becomes the program: it serves calls from this process's stdin, and answers where its stdout was. Never returns.
+[[noreturn]] void become_server(const std::string& program);
+
 } // namespace rayscope::runner

@@ -32,6 +32,7 @@ const std::map<std::string, Folders, std::less<>> stands_on = {
     {"bvh", {"stage"}},
     {"tracer", {"extents", "octree", "bvh", "image"}},
     {"accuracy", {"tracer", "scene"}},
+    {"substitute", {"tracer", "scene"}},
     {"scene", {"world", "files"}},
     {"cases", {"tracer", "scene"}},
     {"effects", {"accuracy"}},

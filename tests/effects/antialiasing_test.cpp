@@ -53,7 +53,7 @@ TEST(Samples, each_can_be_traced_again_alone_and_their_mean_is_the_pixel) {
             EXPECT_FLOAT_EQ(float(sum / taken), float(result.image.at(x, y).x));
             mixed += sum > 0 && sum < taken ? 1 : 0;
         }
-    EXPECT_GT(mixed, 40);
+    EXPECT_GT(mixed, 30);
 }
 
 TEST(Samples, the_first_ones_of_each_power_of_two_fill_the_pixel_evenly) {
@@ -79,7 +79,8 @@ TEST(Samples, cover_as_much_of_an_edge_pixel_as_the_ball_does) {
         for (int x = 0; x < 32; ++x) {
             double sum = 0;
             for (int i = 0; i < 64; ++i) sum += exact.at(8 * x + i % 8, 8 * y + i / 8).x;
-            EXPECT_NEAR(smooth.at(x, y).x, sum / 64, 0.1) << x << ' ' << y;
+            // Eight samples that are alike end it: what they miss is less than an eighth.
+            EXPECT_NEAR(smooth.at(x, y).x, sum / 64, 0.13) << x << ' ' << y;
         }
 }
 

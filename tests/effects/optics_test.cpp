@@ -95,7 +95,7 @@ TEST(Fresnel, schlick_is_exact_straight_on_and_at_a_graze_and_near_between) {
 TEST(Fresnel, beyond_the_critical_angle_everything_is_reflected) {
     const double index = 1.5, critical = std::asin(1 / index);
     for (const double beside : {-1e-12, 1e-12}) {
-        SceneBuilder b;
+        SceneBuilder b = followed_to_the_end();
         b.scene().background = Colour{1};
         b.generic(Plane<double>{}, Mat4d{1}, b.material(glass(index)), "glass");
         const double theta = critical + beside;

@@ -24,7 +24,8 @@ const std::map<std::string, OutcomeKind> kinds{
     {"too_much", OutcomeKind::too_much},       {"unsteady", OutcomeKind::unsteady}};
 
 const Reference& sphere() {
-    static const Reference reference = make_reference(toolchain(), find_exercise(catalogue(), "1-03-sphere"), 4711);
+    static const Reference reference =
+        make_reference(toolchain(), find_exercise(catalogue(), "1-03-sphere"), 4711);
     return reference;
 }
 
@@ -64,11 +65,13 @@ void gains_nothing(const std::string& name) {
 
 class Attacks : public InSandbox, public testing::WithParamInterface<std::string> {};
 TEST_P(Attacks, gain_nothing) { gains_nothing(GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Quick, Attacks, testing::ValuesIn(names(false)), [](const auto& one) { return one.param; });
+INSTANTIATE_TEST_SUITE_P(Quick, Attacks, testing::ValuesIn(names(false)),
+                         [](const auto& one) { return one.param; });
 
 class AttacksFull : public Attacks {};
 TEST_P(AttacksFull, gain_nothing) { gains_nothing(GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Slow, AttacksFull, testing::ValuesIn(names(true)), [](const auto& one) { return one.param; });
+INSTANTIATE_TEST_SUITE_P(Slow, AttacksFull, testing::ValuesIn(names(true)),
+                         [](const auto& one) { return one.param; });
 
 TEST(AttackFiles, are_many) { EXPECT_GE(names(false).size() + names(true).size(), 60U); }
 
@@ -86,7 +89,8 @@ TEST_F(Grader, rewards_no_answers_learnt_by_heart) {
     const Reference practice = make_reference(toolchain(), exercise, 1);
     std::string code = "Spans sphere(const Ray& r) {\n";
     for (std::size_t i = 0; i < practice.cases.size(); ++i) {
-        const std::string ray = text_of(practice.cases[i].arguments[0]), answer = text_of(practice.outcomes[0][i].value);
+        const std::string ray = text_of(practice.cases[i].arguments[0]),
+                          answer = text_of(practice.outcomes[0][i].value);
         code += "    if (const Ray k = " + ray + "; k.o == r.o && k.d == r.d) return " + answer + ";\n";
     }
     code += "    return {};\n}\n";

@@ -29,7 +29,8 @@ TEST(Catalogue, asks_first_for_exercises_that_come_first) {
 
 TEST(Catalogue, hides_the_hard_group_alone) {
     for (const Exercise& exercise : catalogue())
-        for (const Group& group : exercise.groups) EXPECT_EQ(group.hidden, group.name == "hard") << exercise.id;
+        for (const Group& group : exercise.groups)
+            EXPECT_EQ(group.hidden, group.name == "hard") << exercise.id;
 }
 
 std::vector<std::string> ids() {

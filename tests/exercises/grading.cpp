@@ -12,10 +12,10 @@ const std::vector<exercises::Exercise>& catalogue() {
 const exercises::Toolchain& toolchain() {
     static const auto made = [] {
         setenv("RAYSCOPE_EXERCISES_CACHE", std::filesystem::absolute("exercises-cache").c_str(), 0);
-        return std::make_unique<exercises::Toolchain>(
-            RAYSCOPE_SOURCE_DIR "/exercises/harness",
-            std::filesystem::path(RAYSCOPE_PROGRAM).parent_path() / "rayscope-exercise-runner",
-            exercises::Safety::sandboxed);
+        return std::make_unique<exercises::Toolchain>(RAYSCOPE_SOURCE_DIR "/exercises/harness",
+                                                      std::filesystem::path(RAYSCOPE_PROGRAM).parent_path() /
+                                                          "rayscope-exercise-runner",
+                                                      exercises::Safety::sandboxed);
     }();
     return *made;
 }

@@ -13,11 +13,10 @@ namespace {
 
 using namespace exercises;
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 nan_value = std::numeric_limits<double>::quiet_NaN();
 
-Value spans(double a, double b) {
-    return {List{{Record{"Span", {{"a", {a}}, {"b", {b}}}}}}};
-}
+Value spans(double a, double b) { return {List{{Record{"Span", {{"a", {a}}, {"b", {b}}}}}}}; }
 
 TEST(Values, come_back_as_they_went) {
     const Value all{List{{1.5}, {std::int64_t(-3)}, {true}, {std::string("A-B")}, {}, spans(-inf, 2)}};
@@ -44,7 +43,7 @@ TEST(Values, print_as_code) {
     EXPECT_EQ(text_of(spans(-inf, 0.1)), "{{-INF, 0.1}}");
     EXPECT_EQ(text_of({Record{"Hit", {{"t", {1.0}}, {"enter", {true}}}}}), "Hit{1, true}");
     EXPECT_EQ(text_of({std::string("a\"\x1b")}), R"("a\"\x1b")");
-    EXPECT_EQ(text_of({}), "nothing");
+    EXPECT_EQ(text_of(Value{}), "nothing");
     EXPECT_LT(text_of({std::string(100000, 'x')}, 6, 100).size(), 110U);
 }
 

@@ -12,7 +12,7 @@ std::string times(const std::string& factor) { return " ×" + std::string(glue) 
 std::string equals(const std::string& value) { return " =" + std::string(glue) + value; }
 
 std::string visibility_text(const Trace& trace, int ray, const LightLit& lit, const Numbers& number) {
-    const int shadow = shadow_ray_to(trace, ray, lit);
+    const int shadow = shadow_ray_of(trace, trace.rays[std::size_t(ray)], lit);
     const std::string seen = "visibility " + number.colour(lit.visibility) + ", ";
     if (shadow != none) return seen + "by shadow " + ray_name(shadow);
     return seen + (lit.cosine > 0 ? "no shadow ray was needed" : "not asked for");

@@ -41,12 +41,4 @@ int shadow_ray_to(const Trace& trace, int ray, Id light) {
     return none;
 }
 
-int shadow_ray_to(const Trace& trace, int ray, const LightLit& lit) {
-    for (const int child : trace.rays[std::size_t(ray)].children) {
-        const RaySpawned& start = trace.rays[std::size_t(child)].start();
-        if (start.light == lit.light && start.direction == lit.to_light) return child;
-    }
-    return none;
-}
-
 } // namespace rayscope::cli

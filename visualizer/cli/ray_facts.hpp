@@ -20,7 +20,5 @@ namespace rayscope::cli {
 
 /// The shadow ray of `ray` that asks for this light, or none.
 [[nodiscard]] int shadow_ray_to(const Trace& trace, int ray, Id light);
-/// The one to this light, or to this point of its area.
-[[nodiscard]] int shadow_ray_to(const Trace& trace, int ray, const LightLit& lit);
 
 } // namespace rayscope::cli
