@@ -33,6 +33,7 @@
 #include "core/tracer/render.hpp"
 #include "core/tracer/why_not.hpp"
 #include "core/walk/find.hpp"
+#include "core/walk/passing.hpp"
 #include "core/walk/quiz.hpp"
 #include "core/walk/refraction_card.hpp"
 #include "core/walk/walk.hpp"

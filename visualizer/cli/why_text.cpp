@@ -22,6 +22,22 @@ std::string behind_text(bool starts_on, double t, const Numbers& number) {
     return "all its crossings lie behind the ray's origin, the last " + at(t, number);
 }
 
+/// By how much the line misses it; of a compound, what it does with each part.
+std::string passing_text(const Scene& scene, std::size_t object, const RaySpawned& start,
+                         const Numbers& number) {
+    constexpr std::size_t most = 6;
+    const auto all = passings(scene, object, {start.origin, start.direction}, most);
+    std::string text;
+    for (const Passing& passing : all) {
+        text += text.empty() ? ": " : "; ";
+        if (scene.drawn[object].is_compound) text += harmless(generic_title(scene, passing.generic)) + " ";
+        text += passing.outside < 0 ? "is crossed"
+                                    : "at its nearest, " + at(passing.t, number) + ", it is " +
+                                          number(passing.outside) + " outside";
+    }
+    return text.empty() ? text : text + " (in the shape's own units)";
+}
+
 /// What the ray did with an object that was not rejected.
 std::string accepted_text(const Trace& trace, const TracedRay& ray, const std::string& name, double t,
                           const Numbers& number) {
@@ -60,7 +76,9 @@ std::string why_text(const Workbench& bench, const Trace& trace, int index, std:
         return harmless(name) + ": the ray is inside it from its start, and never leaves it";
     std::string reason;
     switch (why.reason) {
-    case WhyNot::Reason::line_misses: reason = "the ray's line misses it"; break;
+    case WhyNot::Reason::line_misses:
+        reason = "the ray's line misses it" + passing_text(bench.scene, object, start, number);
+        break;
     case WhyNot::Reason::behind: {
         const bool starts_on =
             start.left_object != none && trace.objects[std::size_t(start.left_object)].name == name;
