@@ -82,7 +82,7 @@ void print_antialiasing(const Scene& scene, const Times& times) {
     RenderOptions exact = everywhere;
     exact.samples = 256;
     const Image reference = render(bench, exact).image;
-    const auto at_edges = render(bench, {});
+    const auto at_edges = render(bench, RenderOptions{});
     const double taken = [&] {
         double sum = 0;
         for (const float count : at_edges.samples.values) sum += double(count);
@@ -93,7 +93,7 @@ void print_antialiasing(const Scene& scene, const Times& times) {
         "in %.3f of the time; one a pixel %.2f dB\n",
         samples, psnr(render(bench, everywhere).image, reference), psnr(at_edges.image, reference), taken,
         times.quantile("antialiasing", 0.5) / times.quantile("antialiasing everywhere", 0.5),
-        psnr(render(make_workbench(scene), {}).image, reference));
+        psnr(render(make_workbench(scene), RenderOptions{}).image, reference));
 }
 
 } // namespace

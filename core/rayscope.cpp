@@ -1,19 +1,13 @@
 #include "core/rayscope.hpp"
 
 #include "core/files/atomic_file.hpp"
-#include "core/math/hash.hpp"
 #include "core/scene/build.hpp"
-#include "core/scene/mesh_file.hpp"
 #include "core/scene/name_trace.hpp"
-#include "core/scene/read_nff.hpp"
-#include "core/scene/read_toml.hpp"
-#include "core/scene/source_text.hpp"
 #include "core/substitute/substituted.hpp"
 #include "core/trace/rescale.hpp"
 #include "core/tracer/object_spans.hpp"
 #include "core/tracer/stage_set.hpp"
 
-#include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
@@ -112,42 +106,7 @@ TraceSource by_hand(const Ray<double>& ray) {
     return source;
 }
 
-Scene read_scene(const std::filesystem::path& path) {
-    const std::string extension = path.extension().string();
-    if (extension == ".toml") return read_toml(path);
-    if (extension == ".nff") return read_nff(path);
-    if (is_mesh_file(path)) return mesh_scene(path);
-    throw InputError(path.string(), {}, "not a scene: its name must end in .toml, .nff, .obj or .ply");
-}
-
-std::string names_of(const EffectSet& some, const EffectSet& others) {
-    std::string names;
-    for (std::size_t i = 0; i < effect_names.size(); ++i)
-        if (some.has(Effect(i)) && !others.has(Effect(i)))
-            names.append(names.empty() ? "" : ", ").append(effect_names[i].name);
-    return names;
-}
-
-// For experiments: not what the scene calls for.
-Scene with_chosen_effects(Scene scene, const std::optional<std::string>& text) {
-    const EffectSet needed = needed_effects(effect_needs(scene, build(scene)));
-    const EffectSet wanted = text ? parse_effects(*text, needed) : *scene.effects;
-    const std::string added = names_of(wanted, needed), missing = names_of(needed, wanted);
-    if (!added.empty())
-        scene.warnings.push_back(
-            fmt::format("{}: simulated though nothing in the scene calls for it: {}", scene.file, added));
-    if (!missing.empty())
-        scene.warnings.push_back(fmt::format(
-            "{}: called for by the scene, and not simulated, as it was asked: {}", scene.file, missing));
-    return with_effects(std::move(scene), needed, wanted);
-}
-
 } // namespace
-
-Scene load_scene(const std::filesystem::path& path, const std::optional<std::string>& effects) {
-    Scene scene = read_scene(path);
-    return effects || scene.effects ? with_chosen_effects(std::move(scene), effects) : scene;
-}
 
 Workbench make_workbench(Scene scene) {
     World<double> world = build(scene);
@@ -177,11 +136,6 @@ Configuration own_configuration(const Scene& scene) {
     return {{}, scene.limits.max_depth, scene.limits.min_weight};
 }
 
-std::string content_hash(const std::filesystem::path& path) {
-    const std::string text = read_file(path, std::size_t(1) << 30U);
-    return fmt::format("{:016x}", Fnv1a().add(text.data(), text.size()).value());
-}
-
 Trace trace_pixel(const Workbench& bench, int x, int y, int width, int height, int sample) {
     auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height, sample);
     return traced(bench, ray, std::move(source));
@@ -194,7 +148,7 @@ RenderResult render(const Workbench& bench, const Formulas& formulas, const Rend
 }
 
 Trace trace_pixel(const Workbench& bench, const Formulas& formulas, int x, int y, int width, int height) {
-    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height);
+    auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height, 0);
     return traced(bench, formulas, ray, std::move(source));
 }
 

@@ -35,6 +35,7 @@ std::string ray_text(const Trace& trace, std::size_t number) {
 
 const char* question(Answer answer) {
     switch (answer) {
+    case Answer::given: return "a colour or a coefficient that the scene gives";
     case Answer::spans: return "how many spans an object has on the ray";
     case Answer::hit: return "whether the ray hits anything";
     case Answer::object: return "which object the ray hits";

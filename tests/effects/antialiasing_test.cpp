@@ -18,7 +18,7 @@ SceneBuilder ball_on_nothing(int size) {
 TEST(Samples, are_taken_at_edges_alone) {
     SceneBuilder b = ball_on_nothing(64);
     b.scene().camera.samples = 16;
-    const RenderResult result = render(b.open(), {});
+    const RenderResult result = render(b.open(), RenderOptions{});
     int even = 0, refined = 0;
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x) {
@@ -43,7 +43,7 @@ TEST(Samples, each_can_be_traced_again_alone_and_their_mean_is_the_pixel) {
     SceneBuilder b = ball_on_nothing(32);
     b.scene().camera.samples = 16;
     const Workbench bench = b.open();
-    const RenderResult result = render(bench, {});
+    const RenderResult result = render(bench, RenderOptions{});
     int mixed = 0;
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x) {
@@ -74,7 +74,8 @@ TEST(Samples, the_first_ones_of_each_power_of_two_fill_the_pixel_evenly) {
 TEST(Samples, cover_as_much_of_an_edge_pixel_as_the_ball_does) {
     SceneBuilder coarse = ball_on_nothing(32), fine = ball_on_nothing(32 * 8);
     coarse.scene().camera.samples = 64;
-    const Image smooth = render(coarse.open(), {}).image, exact = render(fine.open(), {}).image;
+    const Image smooth = render(coarse.open(), RenderOptions{}).image,
+                exact = render(fine.open(), RenderOptions{}).image;
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x) {
             double sum = 0;

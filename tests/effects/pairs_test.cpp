@@ -69,14 +69,15 @@ TEST(Pairs, taken_away_leave_what_was_there_before) {
             effect == Effect::reflection || effect == Effect::specular || effect == Effect::nested_media)
             continue; // the scene has them
         Scene scene = still_life();
-        const auto before = hash(render(make_workbench(scene), {}).image);
+        const auto before = hash(render(make_workbench(scene), RenderOptions{}).image);
         if (!add_effect(effect, scene)) continue;
         if (effect != Effect::shadows) {
-            EXPECT_NE(hash(render(make_workbench(scene), {}).image), before) << effect_names[i].name;
+            EXPECT_NE(hash(render(make_workbench(scene), RenderOptions{}).image), before)
+                << effect_names[i].name;
         }
         take_away(effect, scene);
         if (effect == Effect::fresnel || effect == Effect::patterns) continue; // other constants than before
-        EXPECT_EQ(hash(render(make_workbench(scene), {}).image), before) << effect_names[i].name;
+        EXPECT_EQ(hash(render(make_workbench(scene), RenderOptions{}).image), before) << effect_names[i].name;
     }
 }
 
@@ -104,7 +105,7 @@ TEST(Trace, of_a_sample_is_the_images) {
         Scene scene = still_life();
         if (Effect(i) == Effect::antialiasing || !add_effect(Effect(i), scene)) continue;
         const Workbench bench = make_workbench(scene);
-        const Image image = render(bench, {}).image;
+        const Image image = render(bench, RenderOptions{}).image;
         for (int y = 0; y < image.height; y += 4)
             for (int x = 0; x < image.width; x += 3) {
                 const Colour colour = trace_pixel(bench, x, y).colour;

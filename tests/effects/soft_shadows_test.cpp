@@ -71,7 +71,7 @@ TEST(AreaLight, of_one_sample_is_the_point_light) {
     const Workbench area = b.open();
     EXPECT_EQ(area.world.effects, EffectMask::classic);
     b.scene().lights[0].area = {};
-    EXPECT_EQ(hash(render(area, {}).image), hash(render(b.open(), {}).image));
+    EXPECT_EQ(hash(render(area, RenderOptions{}).image), hash(render(b.open(), RenderOptions{}).image));
 }
 
 } // namespace
