@@ -156,7 +156,10 @@ TEST(PovrayExport, limits_count_the_eye_ray) {
     builder.scene().limits = {5, 0.25, 100000};
     EXPECT_THAT(exported(builder).text, HasSubstr("max_trace_level 6\n  adc_bailout 0.25\n"));
     EXPECT_THAT(exported(builder).differences, IsEmpty());
-    builder.scene().limits = {256, 0, 7};
+    Limits& limits = builder.scene().limits;
+    limits.max_depth = 256;
+    limits.min_weight = 0;
+    limits.max_rays = 7;
     EXPECT_THAT(exported(builder).text, HasSubstr("max_trace_level 256\n"));
     EXPECT_THAT(exported(builder).differences,
                 ElementsAre("max_depth 256 is cut to 255",

@@ -25,9 +25,15 @@ struct Motion {
     camera.eye = transformed_point(m, camera.eye);
     camera.look_at = transformed_point(m, camera.look_at);
     camera.up = transformed_vector(m, camera.up) / motion.scale;
-    for (SceneLight& light : scene.lights)
+    for (SceneLight& light : scene.lights) {
         light.position = light.directional ? normalized(transformed_vector(m, light.position))
                                            : transformed_point(m, light.position);
+        const bool disk = light.area.shape == LightArea::Shape::disk; // its sides are unit
+        light.area.radius *= motion.scale;
+        light.area.u = transformed_vector(m, light.area.u) / (disk ? motion.scale : 1);
+        light.area.v = transformed_vector(m, light.area.v) / (disk ? motion.scale : 1);
+    }
+    for (SceneMaterial& material : scene.materials) material.absorption /= motion.scale;
     for (SceneGeneric& generic : scene.generics) generic.matrix = m * generic.matrix;
     for (SceneCompound& compound : scene.compounds)
         if (compound.matrix != Mat4d{1}) compound.matrix = m * compound.matrix * glm::inverse(m);
