@@ -91,16 +91,21 @@ private:
                                   int tested);
 
     [[nodiscard]] Colour local_light(const Interaction<N>& at, const Budget& budget);
+    // The two that are inlined always have one caller in the classic tracer, and two in the other.
     void add_light_from(Colour& colour, Id light, const Interaction<N>& at, const Budget& budget);
-    void add_area_light_from(Colour& colour, Id light, const Interaction<N>& at, const Budget& budget);
-    [[nodiscard]] Colour light_along(const LightPoint& light, const Vec3<T>& offset, const Interaction<N>& at,
-                                     const Budget& budget);
+    [[gnu::noinline]] void add_area_light_from(Colour& colour, Id light, const Interaction<N>& at,
+                                               const Budget& budget);
+    [[nodiscard, gnu::always_inline]] inline Colour light_along(const LightPoint& light,
+                                                                const Vec3<T>& offset,
+                                                                const Interaction<N>& at,
+                                                                const Budget& budget);
     [[nodiscard]] Colour visibility(const LightPoint& light, const Vec3<T>& to_light, T distance,
                                     const Interaction<N>& at, const Budget& budget);
     [[nodiscard]] Colour passing(const Blocker<T>& blocker, const Ray<T>& ray) const;
 
     void add_boundary_light(Colour& colour, const Interaction<N>& at, const Budget& budget);
-    [[nodiscard]] Refraction<T> bent_at(const Interaction<N>& at, T speed_from, T speed_to) const;
+    [[nodiscard, gnu::always_inline]] inline Refraction<T> bent_at(const Interaction<N>& at, T speed_from,
+                                                                   T speed_to) const;
     [[nodiscard]] Colour mirrored_light(const Interaction<N>& at, const Colour& coefficient,
                                         const Budget& budget);
     [[nodiscard]] Colour transmitted_light(const Interaction<N>& at, const Bend& bend,
@@ -110,15 +115,17 @@ private:
     void note_total_reflection(const Bend& bend, const Colour& coefficient);
     void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
 
-    // With all effects alone.
+    // With all effects alone. Not inlined, lest what is the same for both tracers becomes too large to be.
     [[nodiscard]] bool spreads(const MediaPair& media) const;
     [[nodiscard]] T speed_at(Id medium, double wavelength) const;
-    void set_speeds(Interaction<N>& at, double wavelength) const;
-    [[nodiscard]] EvenMaterials even_materials(const Interaction<N>& at, const Ray<T>& ray) const;
+    [[gnu::noinline]] void set_speeds(Interaction<N>& at, double wavelength) const;
+    [[nodiscard, gnu::noinline]] EvenMaterials even_materials(const Interaction<N>& at,
+                                                              const Ray<T>& ray) const;
     [[nodiscard]] double reflected_share(Mirror mirror, const Bend& bend);
-    void add_spread_light(Colour& colour, const Interaction<N>& at, const Budget& budget);
-    [[nodiscard]] Colour absorbed(const Ray<T>& ray, Id medium, T t);
-    [[nodiscard]] Colour absorbed_to_light(const Ray<T>& ray, T distance, const Leaving<T>& leaving);
+    [[gnu::noinline]] void add_spread_light(Colour& colour, const Interaction<N>& at, const Budget& budget);
+    [[nodiscard, gnu::noinline]] Colour absorbed(const Ray<T>& ray, Id medium, T t);
+    [[nodiscard, gnu::noinline]] Colour absorbed_to_light(const Ray<T>& ray, T distance,
+                                                          const Leaving<T>& leaving);
 
     const World<N>& world_;
     const Stage& stage_;
