@@ -58,11 +58,14 @@ std::vector<Case> listed(CaseRunner& runner, const Exercise& exercise, std::uint
     for (std::size_t i = 0; i + 2 < list->size(); i += 3)
         cases.push_back(read_case(exercise, (*list)[i], (*list)[i + 1], (*list)[i + 2]));
     // In the order of exercise.toml, whatever order they were made in.
-    std::ranges::stable_sort(cases, {}, &Case::group);
+    std::vector<Case> ordered;
+    for (std::size_t group = 0; group < exercise.groups.size(); ++group)
+        for (Case& made : cases)
+            if (made.group == group) ordered.push_back(std::move(made));
     for (std::size_t i = 0; i < exercise.groups.size(); ++i)
-        if (std::ranges::find(cases, i, &Case::group) == cases.end())
+        if (std::ranges::find(ordered, i, &Case::group) == ordered.end())
             fail(exercise, fmt::format("group '{}' has no case", exercise.groups[i].name));
-    return cases;
+    return ordered;
 }
 
 /// The outcomes of a case after the other, as one value: kind, detail and value of each.
