@@ -144,9 +144,9 @@ std::optional<ShownCase> shown(const Toolchain& toolchain, const Reference& refe
     if (outcome.kind != OutcomeKind::answered || record == nullptr || record->fields.size() != 2)
         return std::nullopt;
     ShownCase result;
-    result.scene = std::get<std::string>(record->fields[0].second.content);
+    result.scene = std::get<std::string>(record->fields[0].value.content);
     std::vector<std::string> numbers;
-    for (const auto& [end, vector] : std::get<Record>(record->fields[1].second.content).fields)
+    for (const auto& [end, vector] : std::get<Record>(record->fields[1].value.content).fields)
         for (const auto& [axis, number] : std::get<Record>(vector.content).fields)
             numbers.push_back(fmt::to_string(std::get<double>(number.content)));
     for (const std::string& number : numbers) result.ray += (result.ray.empty() ? "" : ",") + number;
