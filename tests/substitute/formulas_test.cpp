@@ -154,7 +154,7 @@ TEST(Formulas, that_return_nonsense_do_no_harm) {
     };
     formulas.mirror = [](const Vec3d&, const Vec3d&, const Vec3d&) { return Vec3d{std::nan("")}; };
     formulas.refract = [](const Vec3d&, const Vec3d&, double, double) { return Vec3d{0}; };
-    formulas.normal = [](const Vec3d&, const Mat4d&) { return Vec3d{INFINITY}; };
+    formulas.normal = [](const Vec3d&, const Mat4d&) { return Vec3d{infinity<double>}; };
     EXPECT_EQ(render(scene("02_csg/glass_bowl"), formulas, small()).image.width, 48);
 }
 
