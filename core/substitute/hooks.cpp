@@ -25,13 +25,15 @@ std::vector<FormulaHit> hits_of(const World<Substituted>& world, const Ray<doubl
 /// out, so that the picture shows what remains.
 Crossings list_of(std::vector<FormulaHit> hits, const std::vector<FormulaHit>& given,
                   const Crossings& sources) {
-    std::stable_sort(hits.begin(), hits.end(),
-                     [](const FormulaHit& a, const FormulaHit& b) { return a.t < b.t; });
+    std::erase_if(hits, [](const FormulaHit& hit) { return !is_finite(hit.t); });
+    std::sort(hits.begin(), hits.end(), [](const FormulaHit& x, const FormulaHit& y) {
+        return std::pair(x.t, x.source) < std::pair(y.t, y.source);
+    });
     Crossings list;
     for (const FormulaHit& hit : hits) {
         const auto from = std::find_if(given.begin(), given.end(),
                                        [&](const FormulaHit& one) { return one.source == hit.source; });
-        if (from == given.end() || !is_finite(hit.t)) continue;
+        if (from == given.end()) continue;
         if (list.empty() && !hit.entering) list.push_back({-infinity<double>, {}, true});
         if (!list.empty() && list.back().entering == hit.entering) continue;
         Crossing<double> crossing = sources[std::size_t(hit.source)];

@@ -10,8 +10,8 @@ namespace rayscope::exercises {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char *cpu_milliseconds = "1000", *wall_milliseconds = "5000";
-constexpr std::chrono::seconds patience{30}; // with the runner itself, which has limits of its own
+constexpr const char *cpu_milliseconds = "1000", *wall_milliseconds = "20000";
+constexpr std::chrono::seconds patience{60}; // with the runner itself, which has limits of its own
 
 // Exit codes of the harness (harness/wire.cpp).
 constexpr int not_yet_written = 77, threw = 78;

@@ -62,10 +62,12 @@ Child::Child(const std::vector<std::string>& words, const ChildLimits& limits, E
     for (std::string& word : copies) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     const auto in = new_pipe(), out = new_pipe();
+    const pid_t self = getpid();
     process_ = fork();
     if (process_ == 0) {
         setpgid(0, 0); // so that the whole family can be killed, and Ctrl-C reaches only this program
         prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (getppid() != self) _exit(not_found); // it ended before this could be asked for
         dup2(in[0], STDIN_FILENO);
         dup2(out[1], STDOUT_FILENO);
         if (errors == Errors::with_output) dup2(out[1], STDERR_FILENO);

@@ -58,11 +58,14 @@ std::vector<Case> listed(CaseRunner& runner, const Exercise& exercise, std::uint
     for (std::size_t i = 0; i + 2 < list->size(); i += 3)
         cases.push_back(read_case(exercise, (*list)[i], (*list)[i + 1], (*list)[i + 2]));
     // In the order of exercise.toml, whatever order they were made in.
-    std::ranges::stable_sort(cases, {}, &Case::group);
+    std::vector<Case> ordered;
+    for (std::size_t group = 0; group < exercise.groups.size(); ++group)
+        for (Case& made : cases)
+            if (made.group == group) ordered.push_back(std::move(made));
     for (std::size_t i = 0; i < exercise.groups.size(); ++i)
-        if (std::ranges::find(cases, i, &Case::group) == cases.end())
+        if (std::ranges::find(ordered, i, &Case::group) == ordered.end())
             fail(exercise, fmt::format("group '{}' has no case", exercise.groups[i].name));
-    return cases;
+    return ordered;
 }
 
 /// The outcomes of a case after the other, as one value: kind, detail and value of each.
@@ -141,9 +144,9 @@ std::optional<ShownCase> shown(const Toolchain& toolchain, const Reference& refe
     if (outcome.kind != OutcomeKind::answered || record == nullptr || record->fields.size() != 2)
         return std::nullopt;
     ShownCase result;
-    result.scene = std::get<std::string>(record->fields[0].second.content);
+    result.scene = std::get<std::string>(record->fields[0].value.content);
     std::vector<std::string> numbers;
-    for (const auto& [end, vector] : std::get<Record>(record->fields[1].second.content).fields)
+    for (const auto& [end, vector] : std::get<Record>(record->fields[1].value.content).fields)
         for (const auto& [axis, number] : std::get<Record>(vector.content).fields)
             numbers.push_back(fmt::to_string(std::get<double>(number.content)));
     for (const std::string& number : numbers) result.ray += (result.ray.empty() ? "" : ",") + number;

@@ -13,7 +13,8 @@ constexpr const char* style =
     R"(body { font: 16px/1.5 system-ui, sans-serif; max-width: 46rem; margin: 2rem auto; padding: 0 1rem;
   color: #222; background: #fff; }
 table { border-collapse: collapse; font-size: .9rem; } td, th { padding: .15rem .6rem; text-align: left; border-bottom: 1px solid #ccc; }
-pre { background: #f4f4f4; padding: .6rem; white-space: pre-wrap; overflow-wrap: anywhere; }
+pre { background: #f4f4f4; padding: .6rem; white-space: pre-wrap; }
+code, pre { overflow-wrap: anywhere; }
 .says { border-left: 4px solid #b33; padding-left: .8rem; }
 svg { width: 100%; font-size: 12px; } svg line { stroke: #999; } svg .start { stroke: #b33; stroke-dasharray: 3 3; }
 svg rect { fill: #3779b8; } svg text { fill: #222; }

@@ -62,9 +62,9 @@ Value value_of(const Vec3d& v) { return {Record{"dvec3", {{"x", {v.x}}, {"y", {v
 Value value_of(const Mat4d& m) {
     Record columns{"dmat4", {}};
     for (int i = 0; i < 4; ++i)
-        columns.fields.emplace_back(
-            "",
-            Value{Record{"dvec4", {{"x", {m[i][0]}}, {"y", {m[i][1]}}, {"z", {m[i][2]}}, {"w", {m[i][3]}}}}});
+        columns.fields.push_back(
+            {"", Value{Record{"dvec4",
+                              {{"x", {m[i][0]}}, {"y", {m[i][1]}}, {"z", {m[i][2]}}, {"w", {m[i][3]}}}}}});
     return {std::move(columns)};
 }
 Value value_of(const Ray<double>& ray) {
@@ -84,7 +84,7 @@ Value value_of(const std::vector<FormulaHit>& hits) {
 // What comes back has the declared type, or else the program was made to cheat: std::bad_variant_access, and at(),
 // end the render like any other failure.
 const Value& field(const Value& record, std::size_t index) {
-    return std::get<Record>(record.content).fields.at(index).second;
+    return std::get<Record>(record.content).fields.at(index).value;
 }
 double number(const Value& value) {
     const double result = std::get<double>(value.content);

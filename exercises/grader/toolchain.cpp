@@ -152,7 +152,7 @@ std::string Toolchain::run_compiler(const std::vector<std::string>& arguments, c
     std::vector<std::string> command{std::string("/usr/bin/") + compiler};
     command.insert(command.end(), arguments.begin(), arguments.end());
     if (safety_ == Safety::sandboxed)
-        command = confined_tools({{parts(), "/rx"}, {work, "/work", true}}, "/work", command);
+        command = confined_tools({{parts(), "/rx"}, {work, "/unit", true}}, "/unit", command);
     else
         command.insert(command.begin(),
                        {"env", "-C", work.string(), "-u", "CPATH", "-u", "CPLUS_INCLUDE_PATH"});

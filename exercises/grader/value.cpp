@@ -82,7 +82,7 @@ private:
             auto key = name();
             auto item = key ? value(depth + 1) : std::nullopt;
             if (!item) return std::nullopt;
-            result.fields.emplace_back(std::move(*key), std::move(*item));
+            result.fields.push_back({std::move(*key), std::move(*item)});
         }
         return Value{std::move(result)};
     }
@@ -165,7 +165,7 @@ bool same(const Value& a, const Value& b, const Tolerance& tolerance) {
     if (const auto* record = std::get_if<Record>(&a.content))
         return std::ranges::equal(record->fields, std::get<Record>(b.content).fields,
                                   [&](const auto& x, const auto& y) {
-                                      return x.first == y.first && same(x.second, y.second, tolerance);
+                                      return x.name == y.name && same(x.value, y.value, tolerance);
                                   });
     if (const auto* integer = std::get_if<std::int64_t>(&a.content))
         return *integer == std::get<std::int64_t>(b.content);
@@ -179,7 +179,7 @@ bool has_nan(const Value& value) {
     if (const auto* number = std::get_if<double>(&value.content)) return std::isnan(*number);
     if (const auto* list = std::get_if<List>(&value.content)) return std::ranges::any_of(*list, has_nan);
     if (const auto* record = std::get_if<Record>(&value.content))
-        return std::ranges::any_of(record->fields, [](const auto& field) { return has_nan(field.second); });
+        return std::ranges::any_of(record->fields, [](const auto& field) { return has_nan(field.value); });
     return false;
 }
 

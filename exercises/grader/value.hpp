@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,13 +12,18 @@ namespace rayscope::exercises {
 
 struct Value;
 using List = std::vector<Value>;
+struct Field;
 struct Record {
     std::string type;
-    std::vector<std::pair<std::string, Value>> fields;
+    std::vector<Field> fields;
 };
 /// Nothing: an empty optional.
 struct Value {
     std::variant<std::monostate, double, std::int64_t, bool, std::string, List, Record> content;
+};
+struct Field {
+    std::string name;
+    Value value;
 };
 
 /// The bytes of exactly one value (harness/wire.hpp says how they look); nothing for any others.

@@ -47,7 +47,7 @@ public:
             braced(*list, [](const Value& item) -> const Value& { return item; });
         else if (const auto* record = std::get_if<Record>(&value.content)) {
             if (typed) text_ += printable(record->type);
-            braced(record->fields, [](const auto& field) -> const Value& { return field.second; });
+            braced(record->fields, [](const auto& field) -> const Value& { return field.value; });
         } else {
             text_ += "nothing";
         }

@@ -153,6 +153,9 @@ int run(const Context& context, const GradeAll& command) {
     if (exercises.empty()) throw UsageError("nobody handed in a file of an exercise");
     if (fs::exists(command.output) && !fs::is_directory(command.output))
         throw UsageError(fmt::format("-o: expected a folder, found the file {}", command.output.string()));
+    if (!context.options.seed)
+        std::fputs("rayscope: graded with the cases that students practise with; --seed N makes others\n",
+                   stderr);
     const auto toolchain = make_toolchain(context);
     fs::create_directories(command.output / ".state");
     std::vector<Reference> references(exercises.size());

@@ -127,7 +127,8 @@ Options parse_options(int count, const char* const* arguments) {
     app.fallthrough();
     app.add_flag("--unsafe", options.unsafe, "without a sandbox, where the system allows none");
     app.add_flag("--instructor", options.instructor, "show solutions and hidden cases");
-    app.add_option("--seed", options.seed, "makes the cases: another seed, other numbers (default 1)");
+    app.add_option("--seed", options.seed, "makes the cases: another seed, other numbers (default 1)")
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--workspace", options.workspace, "the folder that start made (default: found from here)");
     app.add_option("--exercises", options.catalogue, "a folder with exercises of your own");
     add_student_commands(app, options);

@@ -24,7 +24,7 @@ namespace {
 using namespace rayscope::runner;
 
 // A program that ran out of time once is not waited for as long again.
-constexpr std::chrono::milliseconds cpu_after_timeout{200}, wall_after_timeout{1000};
+constexpr std::chrono::milliseconds cpu_after_timeout{200}, wall_after_timeout{4000};
 
 bool read_bytes(char* to, std::size_t count) {
     while (count > 0) {

@@ -8,7 +8,7 @@
 namespace rayscope::runner {
 
 struct Limits {
-    std::chrono::milliseconds cpu{1000}, wall{5000};
+    std::chrono::milliseconds cpu{1000}, wall{20000};
     bool computing_only =
         true; ///< false for programs with sanitizers, which need more than untrusted code gets
 };
