@@ -9,8 +9,6 @@ constexpr std::size_t most_undone = 10'000; // a script may go on for long
 
 } // namespace
 
-const Event& Cursor::event() const { return ray().events[std::size_t(spot().event)]; }
-
 Moved Cursor::go_to(std::size_t moment) {
     if (before_.size() == most_undone) before_.erase(before_.begin(), before_.begin() + most_undone / 2);
     before_.push_back(moment_);

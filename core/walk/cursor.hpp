@@ -26,7 +26,6 @@ public:
 
     [[nodiscard]] Spot spot() const { return timeline_->at(moment_); }
     [[nodiscard]] std::size_t moment() const { return moment_; }
-    [[nodiscard]] const Event& event() const;
     [[nodiscard]] bool at_ray_start() const { return spot().event == 0; }
 
     // From event to event, in time.

@@ -48,8 +48,9 @@ TEST_F(Why, is_one_sentence_with_its_numbers) {
     const Trace trace = trace_ray(bench, {{0, 2, 0}, {0, -1, 0}});
     cli::Session session(bench, trace, style);
     EXPECT_EQ(session.answer("why ball"), "ball: the ray does end on it, at t = 1\n");
-    EXPECT_EQ(session.answer("y aside"), "aside: the ray's line misses it: at its nearest, at t = 2, it is 4 outside (in\n"
-                                         "the shape's own units)\n");
+    EXPECT_EQ(session.answer("y aside"),
+              "aside: the ray's line misses it: at its nearest, at t = 2, it is 4 outside (in\n"
+              "the shape's own units)\n");
     EXPECT_EQ(session.answer("why  floor "),
               "floor: its nearest crossing, t = 3.5, lies behind the hit at t = 1\n");
     EXPECT_EQ(session.answer("why ceiling"),

@@ -122,7 +122,7 @@ public:
     }
     std::string operator()(const RayFinished& e) const {
         if (ray_.start().kind == RayKind::shadow)
-            return "the ray ends: visibility " + number_.colour(e.colour);
+            return "the ray ends: visibility " + number_.colour(e.colour) + blocker(e);
         return "the ray ends: local " + number_.colour(e.local) + ", it brings back " +
                number_.colour(e.colour) + "; " + count(e.tested, "object") + " tested";
     }
@@ -133,6 +133,14 @@ public:
 private:
     static std::string count(int number, const char* what) {
         return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+    }
+    /// What a shadow ray met last, if nothing of its light is left.
+    [[nodiscard]] std::string blocker(const RayFinished& e) const {
+        const ObjectAccepted* last = nullptr;
+        for (const Event& event : ray_.events)
+            if (const auto* accepted = std::get_if<ObjectAccepted>(&event)) last = accepted;
+        if (last == nullptr || e.colour != Colour{0}) return "";
+        return ", " + object_name(trace_, last->object) + " is in the way at t = " + number_(last->t);
     }
     [[nodiscard]] std::string end(const char* how, const Boundary& boundary) const {
         return boundary.leaf == none ? "" : how + generic_name_of(trace_, boundary.leaf);

@@ -17,9 +17,6 @@ public:
     [[nodiscard]] std::string answer(const std::string& line, Walk& walk, const StepStyle& style);
     [[nodiscard]] bool ended() const { return ended_; }
 
-    [[nodiscard]] int right() const { return right_; }
-    [[nodiscard]] int answered() const { return answered_; }
-
 private:
     [[nodiscard]] std::string question_text(const Walk& walk, const StepStyle& style) const;
     [[nodiscard]] std::string score_text() const;

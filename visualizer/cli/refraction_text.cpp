@@ -121,8 +121,11 @@ std::string refraction_text(const Trace& trace, int ray, const StepStyle& style)
                                 percent(card->fresnel_p) + "), T = " + percent(1 - card->fresnel) +
                                 ", R + T = 100 %");
     numbers.item("Schlick", "R ≈ " + percent(card->schlick));
-    numbers.item("this scene", "reflection " + number.colour(card->reflection) + ", transmission " +
-                                   number.colour(card->transmission) + ", as the material says");
+    numbers.item("this scene", card->total()
+                                   ? "one mirrored ray carries reflection + transmission = " +
+                                         number.colour(card->reflection)
+                                   : "reflection " + number.colour(card->reflection) + ", transmission " +
+                                         number.colour(card->transmission) + ", as the material says");
     return text + numbers.text();
 }
 

@@ -29,7 +29,7 @@ struct Command {
     std::string (Session::*perform)(const std::string& argument);
 };
 
-/// In the order of help; a command without a help line of its own is one's other name.
+/// In the order of help.
 [[nodiscard]] std::span<const Command> commands();
 
 class Session {

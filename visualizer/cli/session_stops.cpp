@@ -3,6 +3,7 @@
 #include "visualizer/cli/arguments.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/find_text.hpp"
+#include "visualizer/cli/progress.hpp"
 #include "visualizer/cli/second_run.hpp"
 #include "visualizer/cli/session.hpp"
 #include "visualizer/cli/value_text.hpp"
@@ -140,7 +141,12 @@ std::string Session::find(const std::string& text) {
     options.by_stage = choice_.by_stage;
     options.render.stage = choice_.stage;
     need_stage("find", condition, options.by_stage);
-    const FindResult result = rayscope::find(bench_.scene, bench_.world, condition, options);
+    FindResult result;
+    {
+        Progress progress("looking");
+        options.render.progress = [&](double share) { progress.show(share); };
+        result = rayscope::find(bench_.scene, bench_.world, condition, options);
+    }
     return find_text(bench_, condition, result, options, 12, style_) +
            (result.pixels > 0 ? "pixel X,Y goes to one of them.\n" : "");
 }

@@ -13,6 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t most_events = 200'000; // some 40 MB, as much as a browser likes
 constexpr std::size_t room_of_surfaces =
     220'000; // bytes: with frame and trace of a shipped scene below 400 KB
 
@@ -102,6 +103,16 @@ std::string embedded(const Json& json) {
     return safe;
 }
 
+void check_size(const Trace& trace) {
+    std::size_t events = 0;
+    for (const TracedRay& ray : trace.rays) events += ray.events.size();
+    if (events > most_events)
+        throw std::runtime_error(
+            "a page holds at most " + std::to_string(most_events) + " events, this trace has " +
+            std::to_string(events) +
+            ": a smaller max_depth or a larger min_weight gives fewer rays; .json holds all");
+}
+
 void replace(std::string& text, std::string_view mark, std::string_view value) {
     text.replace(text.find(mark), mark.size(), value);
 }
@@ -119,6 +130,7 @@ std::string page_text(const Workbench& bench, const Trace& trace) {
 }
 
 void write_page(const Workbench& bench, const Trace& trace, const std::filesystem::path& path) {
+    check_size(trace);
     write_text_file(path, page_text(bench, trace));
 }
 

@@ -37,7 +37,8 @@ Ball shown_ball(const Workbench& bench, const Trace& trace, const std::set<std::
     if (first != nullptr) box.include(first->point);
     for (std::size_t i = 0; i < bench.scene.drawn.size(); ++i) {
         const Box<double>& bounds = bench.world.objects[i].bounds;
-        const bool counts = touched.empty() || touched.contains(object_title(bench.scene, bench.scene.drawn[i]));
+        const bool counts =
+            touched.empty() || touched.contains(object_title(bench.scene, bench.scene.drawn[i]));
         if (!bounds.bounded() || !counts) continue;
         const double size = length(bounds.high - bounds.low);
         if (travelled > 0 && size > 8 * travelled) continue;
@@ -140,8 +141,9 @@ Surroundings surroundings_of(const Workbench& bench, const Trace& trace, std::si
             bounds.bounded() ? length((bounds.low + bounds.high) / 2.0 - result.shown.centre) : 0;
         if (hit || away < 2 * result.shown.radius) candidates.push_back({&object, hit, away});
     }
-    std::ranges::stable_sort(candidates, [](const Candidate& a, const Candidate& b) {
-        return a.hit != b.hit ? a.hit : a.distance < b.distance;
+    std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
+        if (a.hit != b.hit) return a.hit;
+        return a.distance != b.distance ? a.distance < b.distance : a.object < b.object; // of one list
     });
     constexpr std::size_t most = 300;
     if (candidates.size() > most) {

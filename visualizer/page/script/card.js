@@ -39,7 +39,8 @@ const card = (() => {
       row('critical', beyond === null ? 'none: not into a faster medium' : `${degrees(numbers.critical)}; θ₁ is ${degrees(Math.abs(beyond))} ${beyond > 0 ? 'beyond' : 'below'} it`),
       row('bends', total ? 'not at all: all is mirrored' : numbers.eta === 1 ? 'not at all' : numbers.eta < 1 ? 'towards the normal' : 'away from the normal'),
       row('Fresnel', `R = ${percent(numbers.fresnel)}, T = ${percent(1 - numbers.fresnel)}; Schlick R ≈ ${percent(numbers.schlick)}`),
-      row('material', `reflection ${shown(numbers.reflection)}, transmission ${shown(numbers.transmission)}`));
+      row('material', total ? `reflection + transmission = ${shown(numbers.reflection)}, all mirrored`
+        : `reflection ${shown(numbers.reflection)}, transmission ${shown(numbers.transmission)}`));
   };
   return { show };
 })();
