@@ -20,6 +20,14 @@ auto Tracer<N, Stage, Recorder, Order, mask>::speed_at(Id medium, double wavelen
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+auto Tracer<N, Stage, Recorder, Order, mask>::aside(const LightPoint& point, const Vec3<T>& to_centre,
+                                                    const Budget& budget) const -> Vec3<T> {
+    const std::uint32_t seed = mixed(mixed(budget.path, area_stream), std::uint32_t(point.id));
+    return as<T>(world_.lights[std::size_t(point.id)].area.offset(
+        hashed_sobol(std::uint32_t(point.sample), seed), as<double>(normalized(to_centre))));
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
 void Tracer<N, Stage, Recorder, Order, mask>::set_speeds(Interaction<N>& at, double wavelength) const {
     at.speed_from = speed_at(at.media.from, wavelength);
     at.speed_to = speed_at(at.media.to, wavelength);

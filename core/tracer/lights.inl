@@ -21,31 +21,19 @@ template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMa
 void Tracer<N, Stage, Recorder, Order, mask>::add_light_from(Colour& colour, Id id, const Interaction<N>& at,
                                                              const Budget& budget) {
     const Light& light = world_.lights[std::size_t(id)];
-    if constexpr (all_effects) {
-        if (light.area.samples > 1) {
-            add_area_light_from(colour, id, at, budget);
-            return;
-        }
-    }
     const Vec3<T> position = as<T>(light.position);
-    colour += light_along({id, 0, 1, light.colour, light.directional},
-                          light.directional ? position : position - at.point, at, budget);
-}
-
-// An area is so many points, each with its part of the light.
-template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
-void Tracer<N, Stage, Recorder, Order, mask>::add_area_light_from(Colour& colour, Id id,
-                                                                  const Interaction<N>& at,
-                                                                  const Budget& budget) {
-    const Light& light = world_.lights[std::size_t(id)];
-    const int samples = light.area.samples;
-    const Vec3<T> to_centre = as<T>(light.position) - at.point;
-    const Vec3d towards = as<double>(normalized(to_centre));
-    const std::uint32_t seed = mixed(mixed(budget.path, area_stream), std::uint32_t(id));
-    for (int i = 0; i < samples; ++i) {
-        const Vec3d aside = light.area.offset(hashed_sobol(std::uint32_t(i), seed), towards);
-        colour += light_along({id, i, samples, light.colour / double(samples), false},
-                              to_centre + as<T>(aside), at, budget);
+    const Vec3<T> to_centre = light.directional ? position : position - at.point;
+    LightPoint point{id, 0, 1, light.colour, light.directional};
+    if constexpr (!all_effects) {
+        colour += light_along(point, to_centre, at, budget);
+    } else {
+        // An area is so many points, each with its part of the light.
+        point.samples = light.area.samples;
+        const bool has_area = point.samples > 1;
+        if (has_area) point.colour /= double(point.samples);
+        for (; point.sample < point.samples; ++point.sample)
+            colour += light_along(point, has_area ? to_centre + aside(point, to_centre, budget) : to_centre,
+                                  at, budget);
     }
 }
 

@@ -50,37 +50,42 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade(const RayUse& use, const R
     [[maybe_unused]] Added<std::optional<EvenMaterials>> even;
     if constexpr (all_effects) {
         if (budget.depth == 0) seen_ = {Id(at.hit.object), as<double>(at.facing)};
-        if (budget.wavelength > 0) set_speeds(at, double(budget.wavelength));
-        if (at.material->patterns != none || at.wall->patterns != none) {
-            even = even_materials(at, ray);
-            at.material = &even->own;
-            at.wall = &even->wall;
+        if (world_.effects == EffectMask::all) {
+            if (budget.wavelength > 0) set_speeds(at, double(budget.wavelength));
+            if (at.material->patterns != none || at.wall->patterns != none) {
+                even = even_materials(at, ray);
+                at.material = &even->own;
+                at.wall = &even->wall;
+            }
         }
     }
     if constexpr (Recorder::enabled) {
         recorder_.record(boundary_chosen(at));
         if (const auto triangle = triangle_hit(world_, ray, at.hit)) recorder_.record(*triangle);
     }
+
+    // What the medium on the ray's way leaves. The record tells of the light as it arrives at the ray's start.
+    [[maybe_unused]] Added<Colour> passed{};
+    [[maybe_unused]] Added<Budget> dimmed;
+    const Budget* here = &budget;
     if constexpr (all_effects) {
         if (world_.absorbs) {
-            const Colour passed = absorbed(ray, budget.medium, at.hit.t);
-            Budget dimmed = budget;
+            passed = absorbed(ray, budget.medium, at.hit.t);
+            dimmed = budget;
             dimmed.weight *= passed;
-            return passed * light_of(at, dimmed, passed, tested);
+            here = &dimmed;
         }
     }
-    return light_of(at, budget, Colour{1}, tested);
-}
-
-// What comes from a hit. The record tells of it as it arrives at the ray's start.
-template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
-Colour Tracer<N, Stage, Recorder, Order, mask>::light_of(const Interaction<N>& at, const Budget& budget,
-                                                         [[maybe_unused]] const Colour& passed,
-                                                         [[maybe_unused]] int tested) {
-    const Colour local = local_light(at, budget);
+    Colour local = local_light(at, *here);
     Colour colour = local;
-    add_boundary_light(colour, at, budget);
-    if constexpr (Recorder::enabled) recorder_.record(RayFinished{local * passed, colour * passed, tested});
+    add_boundary_light(colour, at, *here);
+    if constexpr (all_effects) {
+        if (world_.absorbs) {
+            local *= passed;
+            colour *= passed;
+        }
+    }
+    if constexpr (Recorder::enabled) recorder_.record(RayFinished{local, colour, tested});
     return colour;
 }
 
@@ -106,14 +111,16 @@ void Tracer<N, Stage, Recorder, Order, mask>::add_boundary_light(Colour& colour,
     Bend bend{bent_at(at, at.speed_from, at.speed_to), at.speed_from, at.speed_to};
     Colour mirrored = material.reflection, through = material.transmission;
     if constexpr (all_effects) {
-        if (!(budget.wavelength > 0) && spreads(at.media)) {
-            add_spread_light(colour, at, budget);
-            return;
-        }
-        bend.wavelength = double(budget.wavelength);
-        if (material.mirror != Mirror::constant) {
-            mirrored = Colour{reflected_share(material.mirror, bend)};
-            through = Colour{1} - mirrored;
+        if (world_.effects == EffectMask::all) {
+            if (!(budget.wavelength > 0) && spreads(at.media)) {
+                add_spread_light(colour, at, budget);
+                return;
+            }
+            bend.wavelength = double(budget.wavelength);
+            if (material.mirror != Mirror::constant) {
+                mirrored = Colour{reflected_share(material.mirror, bend)};
+                through = Colour{1} - mirrored;
+            }
         }
     }
     const bool total = bend.bent.total();
@@ -167,8 +174,10 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::follow(const Continuation& next,
     const Ray<T> ray{at.point, next.direction};
     Budget after = budget.after(next.coefficient, next.medium);
     if constexpr (all_effects) {
-        after.path = mixed(budget.path, std::uint32_t(next.kind));
-        if (next.wavelength > 0) after.wavelength = float(next.wavelength);
+        if (world_.effects == EffectMask::all) {
+            after.path = mixed(budget.path, std::uint32_t(next.kind));
+            if (next.wavelength > 0) after.wavelength = float(next.wavelength);
+        }
     }
     if constexpr (Order::waits) {
         order_.push({next.kind, ray, next.leaving, after});

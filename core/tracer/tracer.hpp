@@ -87,18 +87,11 @@ private:
     [[nodiscard]] Colour trace(const Ray<T>& ray, const RayUse& use, std::uint32_t seed);
     [[nodiscard]] Colour shade(const RayUse& use, const Ray<T>& ray, const Leaving<T>& leaving,
                                const Budget& budget);
-    [[nodiscard]] Colour light_of(const Interaction<N>& at, const Budget& budget, const Colour& passed,
-                                  int tested);
 
     [[nodiscard]] Colour local_light(const Interaction<N>& at, const Budget& budget);
-    // The two that are inlined always have one caller in the classic tracer, and two in the other.
     void add_light_from(Colour& colour, Id light, const Interaction<N>& at, const Budget& budget);
-    [[gnu::noinline]] void add_area_light_from(Colour& colour, Id light, const Interaction<N>& at,
-                                               const Budget& budget);
-    [[nodiscard, gnu::always_inline]] inline Colour light_along(const LightPoint& light,
-                                                                const Vec3<T>& offset,
-                                                                const Interaction<N>& at,
-                                                                const Budget& budget);
+    [[nodiscard]] Colour light_along(const LightPoint& light, const Vec3<T>& offset, const Interaction<N>& at,
+                                     const Budget& budget);
     [[nodiscard]] Colour visibility(const LightPoint& light, const Vec3<T>& to_light, T distance,
                                     const Interaction<N>& at, const Budget& budget);
     [[nodiscard]] Colour passing(const Blocker<T>& blocker, const Ray<T>& ray) const;
@@ -118,6 +111,8 @@ private:
     // With all effects alone. Not inlined, lest what is the same for both tracers becomes too large to be.
     [[nodiscard]] bool spreads(const MediaPair& media) const;
     [[nodiscard]] T speed_at(Id medium, double wavelength) const;
+    [[nodiscard, gnu::noinline]] Vec3<T> aside(const LightPoint& point, const Vec3<T>& to_centre,
+                                               const Budget& budget) const;
     [[gnu::noinline]] void set_speeds(Interaction<N>& at, double wavelength) const;
     [[nodiscard, gnu::noinline]] EvenMaterials even_materials(const Interaction<N>& at,
                                                               const Ray<T>& ray) const;
