@@ -5,10 +5,10 @@
 namespace rayscope {
 namespace {
 
-using Crossings = std::vector<Crossing<double>>;
+using CrossingList = std::vector<Crossing<double>>;
 
 std::vector<FormulaHit> hits_of(const World<Substituted>& world, const Ray<double>& ray,
-                                const Crossings& list, int first) {
+                                const CrossingList& list, int first) {
     std::vector<FormulaHit> hits;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Crossing<double>& crossing = list[i];
@@ -23,13 +23,13 @@ std::vector<FormulaHit> hits_of(const World<Substituted>& world, const Ray<doubl
 
 /// As the sweep would leave it: ascending, entering and leaving in turn, open ends at infinity. What breaks that is left
 /// out, so that the picture shows what remains.
-Crossings list_of(std::vector<FormulaHit> hits, const std::vector<FormulaHit>& given,
-                  const Crossings& sources) {
+CrossingList list_of(std::vector<FormulaHit> hits, const std::vector<FormulaHit>& given,
+                     const CrossingList& sources) {
     std::erase_if(hits, [](const FormulaHit& hit) { return !is_finite(hit.t); });
     std::sort(hits.begin(), hits.end(), [](const FormulaHit& x, const FormulaHit& y) {
         return std::pair(x.t, x.source) < std::pair(y.t, y.source);
     });
-    Crossings list;
+    CrossingList list;
     for (const FormulaHit& hit : hits) {
         const auto from = std::find_if(given.begin(), given.end(),
                                        [&](const FormulaHit& one) { return one.source == hit.source; });
@@ -46,21 +46,21 @@ Crossings list_of(std::vector<FormulaHit> hits, const std::vector<FormulaHit>& g
     return list;
 }
 
-Crossings difference(const World<Substituted>& world, const Ray<double>& ray, const Crossings& a,
-                     const Crossings& b) {
+CrossingList difference(const World<Substituted>& world, const Ray<double>& ray, const CrossingList& a,
+                        const CrossingList& b) {
     auto of_a = hits_of(world, ray, a, 0);
     const auto of_b = hits_of(world, ray, b, int(a.size()));
     const auto hits = formulas_in_use().formulas->difference(of_a, of_b);
-    Crossings sources = a;
+    CrossingList sources = a;
     sources.insert(sources.end(), b.begin(), b.end());
     of_a.insert(of_a.end(), of_b.begin(), of_b.end());
     return list_of(hits, of_a, sources);
 }
 
 /// One operation by the sweep.
-Crossings combined(Operation operation, const Crossings& a, const Crossings* b) {
+CrossingList combined(Operation operation, const CrossingList& a, const CrossingList* b) {
     SpanStack<double> stack;
-    for (const Crossings* list : {&a, b}) {
+    for (const CrossingList* list : {&a, b}) {
         if (list == nullptr) continue;
         stack.push();
         for (const Crossing<double>& crossing : *list) stack.append(crossing);
@@ -74,29 +74,29 @@ Crossings combined(Operation operation, const Crossings& a, const Crossings* b) 
 
 /// A and B are on top of the stack; what the operation makes of them replaces them.
 void combine_top(const World<Substituted>& world, const Ray<double>& ray, Operation operation,
-                 std::vector<Crossings>& stack) {
+                 std::vector<CrossingList>& stack) {
     if (operation == Operation::complement) {
         stack.back() = combined(operation, stack.back(), nullptr);
         return;
     }
-    const Crossings b = std::move(stack.back());
+    const CrossingList b = std::move(stack.back());
     stack.pop_back();
-    Crossings& a = stack.back();
+    CrossingList& a = stack.back();
     const bool theirs = operation == Operation::difference && formulas_in_use().formulas->difference;
     a = theirs ? difference(world, ray, a, b) : combined(operation, a, &b);
 }
 
-Crossings leaf(const World<Substituted>& world, std::uint32_t solid, const Ray<double>& ray,
-               const LeavingSurface<double>* leaving, Work<double>& work) {
+CrossingList leaf(const World<Substituted>& world, std::uint32_t solid, const Ray<double>& ray,
+                  const LeavingSurface<double>* leaving, Work<double>& work) {
     work.scratch.clear();
     work.scratch.push();
     append_crossings(world, solid, ray, leaving, work);
     return {work.scratch.top_begin(), work.scratch.top_begin() + work.scratch.top_size()};
 }
 
-Crossings compound(const World<Substituted>& world, const Program& program, const Ray<double>& ray,
-                   const LeavingSurface<double>* leaving, Work<double>& work) {
-    std::vector<Crossings> stack;
+CrossingList compound(const World<Substituted>& world, const Program& program, const Ray<double>& ray,
+                      const LeavingSurface<double>* leaving, Work<double>& work) {
+    std::vector<CrossingList> stack;
     for (const Instruction& step : program) {
         if (step.kind == Instruction::Kind::guard) continue; // it only saves work
         if (step.kind == Instruction::Kind::leaf) {
@@ -110,7 +110,7 @@ Crossings compound(const World<Substituted>& world, const Program& program, cons
     return stack.back();
 }
 
-void put_back(const Crossings& list, SpanStack<double>& scratch) {
+void put_back(const CrossingList& list, SpanStack<double>& scratch) {
     scratch.clear();
     scratch.push();
     for (const Crossing<double>& crossing : list) scratch.append(crossing);
@@ -122,7 +122,7 @@ Boundary boundary_of(const Crossing<double>& crossing) {
             bounded && crossing.surface.flipped};
 }
 
-void record_list(std::uint32_t object, std::size_t node, const Crossings& list, bool volume,
+void record_list(std::uint32_t object, std::size_t node, const CrossingList& list, bool volume,
                  TraceRecorder& recorder) {
     const std::size_t step = volume ? 2 : 1;
     recorder.record(NodeEvaluated{Id(object), Id(node), int(list.size() / step)});
@@ -140,7 +140,7 @@ void record_nodes(const World<Substituted>& world, std::uint32_t object, const R
         misses = misses &&
                  (node.operation != Operation::leaf || leaf(world, node.solid, ray, leaving, work).empty());
     if (misses) return;
-    std::vector<Crossings> stack;
+    std::vector<CrossingList> stack;
     for (std::size_t i = 0; i < tree.nodes.size() && !recorder.full(); ++i) {
         const CompoundNode& node = tree.nodes[i];
         if (node.operation == Operation::leaf)
@@ -209,7 +209,7 @@ void record_object<Substituted, double>(const World<Substituted>& world, std::ui
                                         const LeavingSurface<double>* leaving, TraceRecorder& recorder) {
     Work<double> work;
     const auto found = crossings(world, object, ray, leaving, work);
-    const Crossings list(found.begin(), found.end());
+    const CrossingList list(found.begin(), found.end());
     if (world.objects[object].is_compound)
         record_nodes(world, object, ray, leaving, recorder);
     else if (!list.empty())

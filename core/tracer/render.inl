@@ -34,11 +34,11 @@ template <Numbers N>
 }
 
 /// Renders by one of the tracer's two forms.
-template <Numbers N, EffectMask mask> class Renderer {
+template <Numbers N, EffectMask mask> class ImageRenderer {
 public:
     using T = ScalarOf<N>;
 
-    Renderer(const World<N>& world, const Camera& camera, const RenderOptions& options)
+    ImageRenderer(const World<N>& world, const Camera& camera, const RenderOptions& options)
         : world_(world),
           options_(options),
           width_(options.width > 0 ? options.width : camera.width),
@@ -129,7 +129,7 @@ private:
 
 template <Numbers N, EffectMask mask>
 RenderResult render_with(const World<N>& world, const Camera& camera, const RenderOptions& options) {
-    return Renderer<N, mask>(world, camera, options).render();
+    return ImageRenderer<N, mask>(world, camera, options).render();
 }
 // In a file of its own.
 extern template RenderResult render_with<double, EffectMask::all>(const World<double>&, const Camera&,

@@ -97,8 +97,10 @@ void add_ledger(Page& page, const Ledger& ledger, const std::function<std::strin
                 const Numbers& number) {
     page.heading("Where the light comes from");
     std::vector<std::pair<LightSource, Colour>> sources(ledger.sources.begin(), ledger.sources.end());
-    std::ranges::stable_sort(sources, std::greater<>(),
-                             [](const auto& entry) { return largest_component(entry.second); });
+    std::ranges::sort(sources, [](const auto& a, const auto& b) {
+        const double first = largest_component(a.second), second = largest_component(b.second);
+        return first != second ? first > second : a.first < b.first;
+    });
     const double whole = ledger.total.x + ledger.total.y + ledger.total.z;
     for (const auto& [source, light] : sources) {
         const double part = light.x + light.y + light.z;
