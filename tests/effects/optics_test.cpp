@@ -133,7 +133,8 @@ TEST(Dispersion, a_prism_turns_each_colour_least_where_its_way_is_symmetric) {
         return trace_ray(bench, {at - 3.0 * d, d});
     };
     std::vector<double> wavelengths;
-    for (const auto* bent : all_of<Refracted>(through(50 * degree)))
+    const Trace spread = through(50 * degree);
+    for (const auto* bent : all_of<Refracted>(spread))
         if (bent->theta_from < 80 * degree && wavelengths.size() < 8) wavelengths.push_back(bent->wavelength);
     ASSERT_EQ(wavelengths.size(), 8U);
     for (const std::size_t i : {0U, 3U, 7U}) {
