@@ -2,6 +2,7 @@
 
 #include "core/rayscope.hpp"
 #include "exercises/grader/markup.hpp"
+#include "exercises/grader/trace_text.hpp"
 
 #include <fmt/format.h>
 
@@ -73,18 +74,6 @@ std::string lanes(const Workbench& bench, const Ray<double>& ray, const Trace& t
                                span.enter.t, span.exit.t);
     }
     return svg + "</svg>\n";
-}
-
-std::string vector_text(const Vec3d& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
-
-const char* name_of(RayKind kind) {
-    switch (kind) {
-    case RayKind::eye: return "eye";
-    case RayKind::reflected: return "reflected";
-    case RayKind::refracted: return "refracted";
-    case RayKind::shadow: return "shadow";
-    }
-    return "";
 }
 
 std::string rays_table(const Trace& trace) {

@@ -1,23 +1,13 @@
 #include "exercises/program/divergence_text.hpp"
 
+#include "exercises/grader/trace_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace rayscope::exercises {
 namespace {
-
-std::string vector_text(const Vec3d& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
-
-const char* name_of(RayKind kind) {
-    switch (kind) {
-    case RayKind::eye: return "eye";
-    case RayKind::reflected: return "reflected";
-    case RayKind::refracted: return "refracted";
-    case RayKind::shadow: return "shadow";
-    }
-    return "";
-}
 
 std::string ray_text(const Trace& trace, std::size_t number) {
     if (number >= trace.rays.size()) return "there is no such ray";

@@ -60,7 +60,7 @@ int explain(const ExplainOptions& options) {
     const RenderOptions tracing = render_options(size, options.threads);
     const RenderResult result = render(bench, tracing);
     if (!result.complete) return interrupted;
-    add_rays(page, bench, result);
+    add_rays(page, result);
     if (options.energy) {
         const auto name = [&](Id object) {
             return object_title(bench.scene, bench.scene.drawn[std::size_t(object)]);

@@ -48,7 +48,7 @@ void add_effects(Page& page, const Workbench& bench) {
                                           limits.wavelengths));
 }
 
-void add_rays(Page& page, const Workbench& bench, const RenderResult& result) {
+void add_rays(Page& page, const RenderResult& result) {
     const RenderStatistics& statistics = result.statistics;
     page.heading(fmt::format("Rays of an image of {} × {} pixels", result.image.width, result.image.height));
     page.item("stage", described(statistics.stage) + (statistics.stage_reason.empty() ? "" : ": ") +
@@ -64,7 +64,6 @@ void add_rays(Page& page, const Workbench& bench, const RenderResult& result) {
                           counters.cut_by_depth, counters.cut_by_weight, counters.cut_by_ray_limit));
     if (counters.total_reflections > 0)
         page.item("total", fmt::format("{} total reflections", counters.total_reflections));
-    (void)bench;
 }
 
 void add_costs(Page& page, const EffectCosts& costs) {

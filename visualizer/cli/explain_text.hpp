@@ -10,7 +10,7 @@ namespace rayscope::cli {
 void add_effects(Page& page, const Workbench& bench);
 
 /// What an image of the scene took: rays of each kind, and the stage that found the hits.
-void add_rays(Page& page, const Workbench& bench, const RenderResult& result);
+void add_rays(Page& page, const RenderResult& result);
 
 /// What each effect costs and changes.
 void add_costs(Page& page, const EffectCosts& costs);
