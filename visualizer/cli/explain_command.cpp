@@ -1,6 +1,7 @@
 // rayscope explain: which effects a scene calls for, and what they cost.
 
 #include "visualizer/cli/commands.hpp"
+#include "visualizer/cli/effects_files.hpp"
 #include "visualizer/cli/explain_text.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/interrupts.hpp"
@@ -34,21 +35,29 @@ RenderOptions render_options(const Size& size, int threads) {
     return options;
 }
 
-// One picture for each effect: with it, without it, and the difference.
-void write_strips(const EffectCosts& costs, const std::filesystem::path& folder) {
-    std::filesystem::create_directories(folder);
-    for (const EffectCost& cost : costs.effects) {
-        const std::string name(effect_names[std::size_t(cost.effect)].name);
-        const auto path = folder / (name + ".png");
-        write_image(strip(costs, cost), path);
-        std::puts(harmless(path.string()).c_str());
+// The mean light of a pixel that each effect which the scene calls for, but which is off, would bring by itself.
+std::vector<std::pair<Effect, Colour>> light_off(const Workbench& bench, const std::filesystem::path& path,
+                                                 const Size& size) {
+    const auto needs = [](const Workbench& b) { return needed_effects(effect_needs(b.scene, b.world)); };
+    const Workbench whole = make_workbench(load_scene(path, "auto"));
+    const EffectSet called_for = needs(whole), on = needs(bench);
+    std::vector<std::pair<Effect, Colour>> off;
+    for (std::size_t i = 0; i < effect_names.size(); ++i) {
+        const auto effect = Effect(i);
+        if (!called_for.has(effect) || on.has(effect)) continue;
+        Scene without = whole.scene;
+        take_away(effect, without);
+        off.emplace_back(effect, ledger(whole, size.width, size.height).total -
+                                     ledger(make_workbench(without), size.width, size.height).total);
     }
+    return off;
 }
 
 } // namespace
 
 int explain(const ExplainOptions& options) {
-    const Workbench bench = make_workbench(load_with_effects(find_scene(options.scene), options.effects));
+    const std::filesystem::path path = find_scene(options.scene);
+    const Workbench bench = make_workbench(load_with_effects(path, options.effects));
     print_warnings(bench.scene);
     const Paint paint(wants_colours(STDOUT_FILENO));
     Page page(paint);
@@ -66,6 +75,7 @@ int explain(const ExplainOptions& options) {
             return object_title(bench.scene, bench.scene.drawn[std::size_t(object)]);
         };
         add_ledger(page, ledger(bench, size.width, size.height), name, Numbers(3));
+        add_light_off(page, light_off(bench, path, size), Numbers(3));
     }
     if (options.cost) {
         EffectCostOptions measuring;
@@ -83,7 +93,7 @@ int explain(const ExplainOptions& options) {
             return interrupted;
         }
         add_costs(page, costs);
-        if (options.output) write_strips(costs, *options.output);
+        if (options.output) write_effects(bench.scene.file, costs, *options.output);
     }
     std::fputs(page.text().c_str(), stdout);
     return done;

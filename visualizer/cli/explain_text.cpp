@@ -123,4 +123,14 @@ void add_ledger(Page& page, const Ledger& ledger, const std::function<std::strin
     if (!any) page.line("nothing: every ray with a weight was followed", 2);
 }
 
+void add_light_off(Page& page, const std::vector<std::pair<Effect, Colour>>& off, const Numbers& number) {
+    if (off.empty()) return;
+    page.heading("Off, though the scene calls for it");
+    for (const auto& [effect, light] : off) {
+        const bool less = light.x + light.y + light.z < 0;
+        page.item(std::string(effect_names[std::size_t(effect)].name),
+                  (less ? "takes " : "brings ") + number.colour(less ? -light : light) + " by itself");
+    }
+}
+
 } // namespace rayscope::cli

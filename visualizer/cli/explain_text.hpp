@@ -20,4 +20,7 @@ void add_costs(Page& page, const EffectCosts& costs);
 void add_ledger(Page& page, const Ledger& ledger, const std::function<std::string(Id)>& name,
                 const Numbers& number);
 
+/// What effects that are off would bring of light, or take from it, each by itself. Nothing where none is.
+void add_light_off(Page& page, const std::vector<std::pair<Effect, Colour>>& off, const Numbers& number);
+
 } // namespace rayscope::cli

@@ -139,7 +139,8 @@ CLI::App_p make_explain(Texts& texts) {
                      "also render with each effect taken away, and with each that is absent added");
     command.add_flag("--energy", texts.energy, "also tell where the light comes from, and what was dropped");
     add_text(command, "-o", texts.output, "FOLDER",
-             "with --cost: for each effect a picture with it, without it, and 8 times the difference");
+             "with --cost: for each effect a picture with it, without it, and 8 times the difference; "
+             "a chart, and the numbers");
     add_text(command, "--size", texts.size, "WxH",
              "size of the images (the scene's, its longer side made 192)");
     add_text(command, "--runs", texts.runs, "N", "with --cost: rounds of renders, 5 to 1000 (5)");

@@ -139,4 +139,9 @@ void draw_accuracy(const fs::path& json) {
     run_or_throw({view_program().string(), "accuracy", json.string()});
 }
 
+void draw_effects(const fs::path& json) {
+    const IgnoreInterrupts patience;
+    run_or_throw({view_program().string(), "effects", json.string()});
+}
+
 } // namespace rayscope::cli

@@ -31,4 +31,7 @@ void draw_extents(const std::filesystem::path& scene, const std::filesystem::pat
 /// Has the chart and the error maps of a measurement drawn, beside its accuracy.json. Throws std::runtime_error.
 void draw_accuracy(const std::filesystem::path& json);
 
+/// Has the chart of what effects cost drawn, beside its effects.json. Throws std::runtime_error.
+void draw_effects(const std::filesystem::path& json);
+
 } // namespace rayscope::cli

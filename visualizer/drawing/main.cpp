@@ -1,6 +1,7 @@
 // rayscope-view: the part of rayscope that needs VTK. `rayscope` runs it for pictures and ParaView files.
 
 #include "visualizer/drawing/accuracy_chart.hpp"
+#include "visualizer/drawing/effects_chart.hpp"
 #include "visualizer/drawing/extents_picture.hpp"
 #include "visualizer/drawing/growth_chart.hpp"
 #include "visualizer/drawing/heat_map.hpp"
@@ -133,6 +134,12 @@ int main(int argc, char** argv) {
         ->required();
     stages->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (1280x720)");
     stages->footer("Example: rayscope-view stages stages/growth.json");
+    CLI::App* effects =
+        app.add_subcommand("effects", "Draws what `rayscope explain --cost -o FOLDER` measured");
+    effects->add_option("FILE", arguments.measurement, "effects.json; effects.png appears beside it")
+        ->required();
+    effects->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (1280x720)");
+    effects->footer("Example: rayscope-view effects cost/effects.json");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -142,6 +149,7 @@ int main(int argc, char** argv) {
         if (*png) draw(arguments);
         if (*accuracy) drawing::write_accuracy_pictures(arguments.measurement, parse_size(arguments.size));
         if (*heat) draw_heat(arguments);
+        if (*effects) drawing::write_effects_chart(arguments.measurement, parse_size(arguments.size));
         if (*extents) draw_extents(arguments);
         if (*stages) drawing::write_growth_chart(arguments.measurement, parse_size(arguments.size));
         if (*vtm) drawing::write_vtm(open(arguments.scene), read_trace(arguments.trace), arguments.output);
