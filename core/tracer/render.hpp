@@ -4,6 +4,7 @@
 #include "core/image/image.hpp"
 #include "core/image/map.hpp"
 #include "core/math/sequence.hpp"
+#include "core/octree/limits.hpp"
 #include "core/stage/stage_choice.hpp"
 #include "core/trace/trace.hpp"
 #include "core/tracer/heat.hpp"
@@ -33,6 +34,7 @@ struct RenderStatistics {
     Counters counters;
     StageChoice stage;                        ///< that found the hits
     std::string stage_reason;                 ///< why it was chosen; empty where it was asked for
+    std::optional<OctreeStatistics> octree;   ///< where one was built
     double build_seconds = 0;                 ///< of its boxes, lists and trees; part of the next two
     double cpu_seconds = 0, wall_seconds = 0; ///< of tracing alone
 };

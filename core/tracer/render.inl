@@ -27,6 +27,7 @@ template <Numbers N>
         statistics.stage = best.choice;
         statistics.stage_reason = best.reason;
         statistics.build_seconds = stages.build_seconds();
+        if (stages.octree() != nullptr) statistics.octree = stages.octree()->statistics();
         return stages;
     } else {
         return Scan<N>(world);

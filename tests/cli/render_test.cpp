@@ -39,6 +39,23 @@ TEST(Render, any_number_of_threads_gives_the_same_bytes) {
     }
 }
 
+TEST(Render, an_octree_tells_where_it_stops_to_divide_and_why) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_program(
+        {"render", "crowd", "-o", "c.pfm", "--size", "40x30", "--stage", "octree", "--stats", "s.json"},
+        {folder.path()});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\noctree  "));
+    const json octree = json::parse(content_of(folder.path() / "s.json")).at("stage").at("octree");
+    EXPECT_GT(octree.at("leaves"), 8);
+    EXPECT_GT(octree.at("entries"), octree.at("leaves"));
+    for (const char* limit : {"depth", "capacity", "least_size"}) {
+        EXPECT_GT(octree.at("limits").at(limit).at("value"), 0) << limit;
+        const std::string reason = octree.at("limits").at(limit).at("reason");
+        EXPECT_THAT(outcome.out, HasSubstr(": " + reason + "\n")) << limit;
+    }
+}
+
 TEST(Render, statistics_have_the_documented_members) {
     const TemporaryFolder folder;
     ASSERT_EQ(run_program({"render", "glass_bowl", "-o", "b.pfm", "--size", "40x30", "--stats", "s.json"},

@@ -86,6 +86,7 @@ int render(const RenderCommandOptions& options) {
     report.stage = described(result.statistics.stage);
     report.stage_reason = result.statistics.stage_reason;
     report.stage_build = result.statistics.build_seconds;
+    report.octree = result.statistics.octree;
     report.width = result.image.width;
     report.height = result.image.height;
     report.image_hash = hash(result.image);

@@ -35,6 +35,31 @@ std::string counts(const std::array<std::uint64_t, N>& numbers, const NameOf& na
 const char* ray_kind_at(std::size_t i) { return name_of(RayKind(i)); }
 const char* generic_kind_at(std::size_t i) { return generic_name(i); }
 
+std::string octree_text(const OctreeStatistics& octree) {
+    std::string text = fmt::format("octree  {} nodes, {} leaves with {} entries, {} levels deep, {} bytes\n",
+                                   grouped(octree.nodes), grouped(octree.leaves), grouped(octree.entries),
+                                   octree.depth, grouped(octree.bytes));
+    text += fmt::format("        at most {} levels: {}\n", octree.limits.depth, octree.reasons.depth);
+    text +=
+        fmt::format("        more than {} objects: {}\n", octree.limits.capacity, octree.reasons.capacity);
+    text += fmt::format("        no cell below {:.3g} of the whole: {}\n", octree.limits.least_size,
+                        octree.reasons.least_size);
+    return text;
+}
+
+nlohmann::json json_of(const OctreeStatistics& octree) {
+    return {{"nodes", octree.nodes},
+            {"leaves", octree.leaves},
+            {"entries", octree.entries},
+            {"apart", octree.apart},
+            {"depth", octree.depth},
+            {"bytes", octree.bytes},
+            {"limits",
+             {{"depth", {{"value", octree.limits.depth}, {"reason", octree.reasons.depth}}},
+              {"capacity", {{"value", octree.limits.capacity}, {"reason", octree.reasons.capacity}}},
+              {"least_size", {{"value", octree.limits.least_size}, {"reason", octree.reasons.least_size}}}}}};
+}
+
 nlohmann::json json_of(const Seconds& seconds) { return {{"cpu", seconds.cpu}, {"wall", seconds.wall}}; }
 
 } // namespace
@@ -60,6 +85,7 @@ std::string report_text(const RenderReport& report) {
                         report.stage_reason);
     text += fmt::format("        nodes {}, cells {}, boxes {} of which missed {}\n", grouped(counters.nodes),
                         grouped(counters.cells), grouped(counters.boxes), grouped(counters.boxes_missed));
+    if (report.octree) text += octree_text(*report.octree);
     text += fmt::format("cut     by depth {}, by weight {}, by max_rays {}; total reflections {}\n",
                         grouped(counters.cut_by_depth), grouped(counters.cut_by_weight),
                         grouped(counters.cut_by_ray_limit), grouped(counters.total_reflections));
@@ -99,6 +125,7 @@ std::string report_json(const RenderReport& report) {
                      {"cells", counters.cells},
                      {"boxes", counters.boxes},
                      {"boxes_missed", counters.boxes_missed}};
+    if (report.octree) json["stage"]["octree"] = json_of(*report.octree);
     json["cut"] = {{"depth", counters.cut_by_depth},
                    {"weight", counters.cut_by_weight},
                    {"max_rays", counters.cut_by_ray_limit}};

@@ -33,6 +33,7 @@ struct RenderReport {
     Counters counters;
     std::string stage, stage_reason; ///< how hits were found, and why so; no reason where it was asked for
     double stage_build = 0;          ///< seconds: what it built, part of `trace`
+    std::optional<OctreeStatistics> octree;
 };
 
 /// A few lines for the terminal.
