@@ -59,7 +59,8 @@ std::string run(const std::string& arguments) {
 }
 
 std::string shown(const std::string& what) {
-    if (what == "cases") return "\n" + scores_digest(score_folder(chapters_root / "tests/oracle/cases")) + "\n";
+    if (what == "cases")
+        return "\n" + scores_digest(score_folder(chapters_root / "tests/oracle/cases")) + "\n";
     const std::vector<std::string> parts = parts_of(what, " | ");
     const std::string head = "\n```text\n$ ./rayscope " + parts[0] + "\n", tail = "```\n\n";
     if (parts.size() == 1) return head + run(what) + tail;
@@ -102,7 +103,8 @@ std::string first_difference(const std::string& was, const std::string& is) {
 }
 
 std::string title_of(const std::filesystem::path& page) {
-    std::string title = page.lexically_relative(chapters_root / "chapters").replace_extension().generic_string();
+    std::string title =
+        page.lexically_relative(chapters_root / "chapters").replace_extension().generic_string();
     for (char& c : title)
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
     return title;
