@@ -121,7 +121,7 @@ std::vector<std::filesystem::path> pages_that_show() {
 
 class ShownText : public testing::TestWithParam<std::filesystem::path> {};
 INSTANTIATE_TEST_SUITE_P(Pages, ShownText, testing::ValuesIn(pages_that_show()),
-                         [](const auto& info) { return title_of(info.param); });
+                         [](const auto& page) { return title_of(page.param); });
 
 TEST_P(ShownText, IsWhatTheProgramSays) {
     int count = 0;
