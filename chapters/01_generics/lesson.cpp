@@ -36,8 +36,9 @@ void two_spaces() {
     fmt::print("  in object space  origin {}, direction {}\n", text(moved.origin), text(moved.direction));
     const Interval<double> inside = *Sphere<double>{}.intervals(moved).begin();
     for (const double t : {inside.enter, inside.exit})
-        fmt::print("  t = {:.6g}: on the unit sphere {}, by M {}, on the world's ray {}\n", t,
-                   text(moved.at(t)), text(moved_point(matrix, moved.at(t))), text(ray.at(t)));
+        fmt::print(
+            "  t = {:.6g}: a point {} of the unit sphere\n           moved by M {}, on the world's ray {}\n",
+            t, text(moved.at(t)), text(moved_point(matrix, moved.at(t))), text(ray.at(t)));
     fmt::print("\n");
 }
 
@@ -50,8 +51,8 @@ void renormalized() {
     const Vec3d q = Transform<double>(matrix).point_to_object(p);
     fmt::print("The same with the direction made unit again\n");
     fmt::print("  direction {}, t = {:.6g}\n", text(moved.direction), t);
-    fmt::print("  on the world's ray {}: in object space at distance {:.6g} from the centre, not 1\n\n",
-               text(p), length(q));
+    fmt::print("  on the world's ray {}, in object space {:.6g} from the centre, not 1\n\n", text(p),
+               length(q));
 }
 
 void normals() {

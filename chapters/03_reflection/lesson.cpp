@@ -11,6 +11,7 @@ namespace {
 std::string text(const Vec3d& v) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x + 0.0, v.y + 0.0, v.z + 0.0); // + 0.0: no −0
 }
+std::string text_of_colour(const Colour& c) { return fmt::format("({:.5f}, {:.5f}, {:.5f})", c.x, c.y, c.z); }
 
 /// Splits d into its part along the unit normal and the rest, and turns the part along the normal.
 Vec3d mirrored_direction(const Vec3d& d, const Vec3d& n) { return d - 2 * dot(d, n) * n; }
@@ -87,8 +88,8 @@ void thirty_lines_and_core() {
     fmt::print("The colour of one ray in the room of mirrors, by level k\n");
     for (int k = 0; k <= 4; ++k) {
         bench.world.max_depth = k;
-        fmt::print("  k = {}  this lesson's shade {}, core's {}\n", k, text(shade(bench, ray, k)),
-                   text(trace_ray(bench, ray).colour));
+        fmt::print("  k = {}  here {}  core {}\n", k, text_of_colour(shade(bench, ray, k)),
+                   text_of_colour(trace_ray(bench, ray).colour));
     }
     fmt::print("\n");
 }
@@ -101,9 +102,9 @@ void levels() {
     for (const TracedRay& ray : trace.rays) {
         if (ray.start().kind == RayKind::shadow) continue;
         const auto* hit = ray.find<BoundaryChosen>();
-        fmt::print("  depth {}  weight {:<9.6g} meets {:<13} brings back {}\n", ray.start().depth,
-                   weight(ray), hit != nullptr ? trace.objects[std::size_t(hit->object)].name : "nothing",
-                   text(ray.find<RayFinished>()->colour));
+        fmt::print("  depth {}  weight {:<7.6g} meets {:<13} brings {}\n", ray.start().depth, weight(ray),
+                   hit != nullptr ? trace.objects[std::size_t(hit->object)].name : "nothing",
+                   text_of_colour(ray.find<RayFinished>()->colour));
     }
     fmt::print("\n");
 }

@@ -56,10 +56,10 @@ void formulas() {
     for (const double eta : {1.0, 1 / 1.5}) {
         const Vec3d t = *refracted_direction(d, n, eta);
         const Vec3d printed = printed_direction(d, n, eta), turned = printed_direction(d, -n, eta);
-        fmt::print("  η = {:.6f}  t               = {}, length {:.6f}, {:.4f}° from the normal\n", eta,
-                   text(t), length(t), degrees(std::atan2(t.x, -t.z)));
-        fmt::print("                printed         = {}, length {:.6f}\n", text(printed), length(printed));
-        fmt::print("                printed, for −n = {}, length {:.6f}\n", text(turned), length(turned));
+        fmt::print("  η = {:.6f}, θ₂ = {:.4f}°\n", eta, degrees(std::atan2(t.x, -t.z)));
+        fmt::print("    right               t = {}, length {:.6f}\n", text(t), length(t));
+        fmt::print("    as printed          t = {}, length {:.6f}\n", text(printed), length(printed));
+        fmt::print("    as printed, with -n t = {}, length {:.6f}\n", text(turned), length(turned));
     }
     fmt::print("\n");
 }
@@ -72,11 +72,12 @@ void print_boundaries(const Trace& trace) {
         const auto* bent = ray.find<Refracted>();
         const auto* total = ray.find<TotallyReflected>();
         if (hit == nullptr || (bent == nullptr && total == nullptr)) break;
-        fmt::print("  {} {:<7} c₁ = {:.4f}, c₂ = {:.4f}, n·d = {:+.4f}, θ₁ = {:.4f}°, {}; local light: {}\n",
-                   hit->entering ? "enters" : "leaves", trace.objects[std::size_t(hit->object)].name,
-                   hit->speed_from, hit->speed_to, dot(hit->normal, ray.start().direction),
-                   degrees(bent != nullptr ? bent->theta_from : total->theta_from), answer(ray),
-                   ray.find<LocalLightSkipped>() != nullptr ? "no" : "yes");
+        fmt::print(
+            "  {} {}: c₁ = {:.4f}, c₂ = {:.4f}, n·d = {:+.4f}\n    θ₁ = {:.4f}°, {}; local light: {}\n",
+            hit->entering ? "enters" : "leaves", trace.objects[std::size_t(hit->object)].name,
+            hit->speed_from, hit->speed_to, dot(hit->normal, ray.start().direction),
+            degrees(bent != nullptr ? bent->theta_from : total->theta_from), answer(ray),
+            ray.find<LocalLightSkipped>() != nullptr ? "no" : "yes");
         const auto next = children_of(trace, ray, bent != nullptr ? RayKind::refracted : RayKind::reflected);
         at = next.empty() ? none : next.front();
     }
@@ -90,7 +91,7 @@ void balls() {
         const Ray<double> ray{{x, 0, 5}, {0, 0, -1}};
         const Trace through = trace_ray(ball, ray);
         const auto inside = children_of(through, through.rays.front(), RayKind::refracted);
-        fmt::print("  x = {:<5}  ball: {}, at its far wall {};  bubble: {}\n", x,
+        fmt::print("  x = {:<5}  ball {}, at the far wall {}\n             bubble {}\n", x,
                    answer(through.rays.front()), answer(through.rays[std::size_t(inside.front())]),
                    answer(trace_ray(bubble, ray).rays.front()));
     }

@@ -18,8 +18,7 @@ double cost_with_extent(double box, double object, double share_that_hits) {
 }
 
 void does_it_pay() {
-    fmt::print(
-        "What a test costs on average, by the share of rays that hit the box; the object alone costs 1\n");
+    fmt::print("What a test costs, by the share of rays that hit the box; the object alone costs 1\n");
     fmt::print("  box costs    5 % hit  25 % hit  50 % hit  75 % hit\n");
     for (const double box : {0.1, 0.5, 0.9, 1.5}) {
         fmt::print("  {:<11}", box);

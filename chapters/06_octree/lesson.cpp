@@ -103,9 +103,9 @@ void touching_a_face() {
             }
         }
     fmt::print("Rays at the point where a ball touches a cell's face\n");
-    fmt::print(
-        "  {} hits; {} of the computed points lie before the face, in a cell that does not list the ball\n",
-        hits, before);
+    fmt::print("  {} hits; {} of the computed points lie before the face,\n  in a cell that does not list "
+               "the ball\n",
+               hits, before);
 }
 
 } // namespace

@@ -92,11 +92,11 @@ void starting_points() {
                 outside += off > 0 ? 1 : 0;
                 worst = maximum(worst, magnitude(off));
             }
-        fmt::print("  radius {:<6g} {:>4} inside, {:>4} outside, at most {:.0e} off: the offset is {}\n",
-                   radius, inside, outside, worst,
+        fmt::print("  radius {:<6g} {:>4} inside, {:>4} outside, at most {:.0e} off; 0.0001 is {}\n", radius,
+                   inside, outside, worst,
                    worst > 1e-4    ? "too small"
-                   : radius < 0.01 ? "a tenth of the sphere"
-                                   : "enough here");
+                   : radius < 0.01 ? "too large"
+                                   : "enough");
     }
 }
 

@@ -32,7 +32,7 @@ std::string page_title(const std::string& page) {
 }
 
 class ShownCommands : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Pages, ShownCommands, testing::ValuesIn(lesson_pages()),
+INSTANTIATE_TEST_SUITE_P(, ShownCommands, testing::ValuesIn(lesson_pages()),
                          [](const auto& page) { return page_title(page.param); });
 
 TEST_P(ShownCommands, Run) {
@@ -84,7 +84,7 @@ TEST_P(ShownCommands, AreKnownToTheLauncher) {
 }
 
 class ShownCommandsFull : public ShownCommands {};
-INSTANTIATE_TEST_SUITE_P(Pages, ShownCommandsFull, testing::ValuesIn(lesson_pages()),
+INSTANTIATE_TEST_SUITE_P(, ShownCommandsFull, testing::ValuesIn(lesson_pages()),
                          [](const auto& page) { return page_title(page.param); });
 
 TEST_P(ShownCommandsFull, Run) {

@@ -28,7 +28,7 @@ protected:
         return chapters_root / "chapters" / GetParam() / name;
     }
 };
-INSTANTIATE_TEST_SUITE_P(Chapters, Lesson, testing::ValuesIn(chapters_with_lessons()),
+INSTANTIATE_TEST_SUITE_P(, Lesson, testing::ValuesIn(chapters_with_lessons()),
                          [](const auto& chapter) { return chapter.param; });
 
 TEST_P(Lesson, PrintsWhatIsExpected) {

@@ -120,7 +120,7 @@ std::vector<std::filesystem::path> pages_that_show() {
 }
 
 class ShownText : public testing::TestWithParam<std::filesystem::path> {};
-INSTANTIATE_TEST_SUITE_P(Pages, ShownText, testing::ValuesIn(pages_that_show()),
+INSTANTIATE_TEST_SUITE_P(, ShownText, testing::ValuesIn(pages_that_show()),
                          [](const auto& page) { return title_of(page.param); });
 
 TEST_P(ShownText, IsWhatTheProgramSays) {
