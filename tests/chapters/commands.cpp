@@ -68,7 +68,7 @@ std::string made_small(const ShownCommand& command) {
     if (command.name() == "step" && !command.has("--png") && !command.has("--no-png") &&
         !command.has("--compare"))
         text += " --no-png";
-    if (!of_images.contains(command.name())) return text;
+    if (!of_images.contains(command.name()) || command.has("--cases")) return text;
     if (const auto size = text.find(" --size "); size != std::string::npos)
         text.erase(size, text.find(' ', size + 8) - size);
     const bool without_size =
