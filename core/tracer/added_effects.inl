@@ -6,6 +6,91 @@
 namespace rayscope {
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+Colour Tracer<N, Stage, Recorder, Order, mask>::shade_hit_with_effects(const Ray<T>& ray, Interaction<N> at,
+                                                                       const Budget& budget, int tested) {
+    if (budget.wavelength > 0) set_speeds(at, double(budget.wavelength));
+    std::optional<EvenMaterials> even;
+    if (at.material->patterns != none || at.wall->patterns != none) {
+        even = even_materials(at, ray);
+        at.material = &even->own;
+        at.wall = &even->wall;
+    }
+    if constexpr (Recorder::enabled) record_boundary(ray, at);
+    // What the medium on the ray's way leaves. The record tells of the light as it arrives at the ray's start.
+    Colour passed{1};
+    Budget dimmed = budget;
+    if (world_.absorbs) {
+        passed = absorbed(ray, budget.medium, at.hit.t);
+        dimmed.weight *= passed;
+    }
+    Colour local = local_light(at, dimmed);
+    Colour colour = local;
+    add_boundary_light_with_effects(colour, at, dimmed);
+    if (world_.absorbs) {
+        local *= passed;
+        colour *= passed;
+    }
+    if constexpr (Recorder::enabled) recorder_.record(RayFinished{local, colour, tested});
+    return colour;
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+void Tracer<N, Stage, Recorder, Order, mask>::add_boundary_light_with_effects(Colour& colour,
+                                                                              const Interaction<N>& at,
+                                                                              const Budget& budget) {
+    const Material& material = *at.material;
+    if (!material.transmits()) {
+        add_boundary_light(colour, at, budget);
+        return;
+    }
+    if (!(budget.wavelength > 0) && spreads(at.media)) {
+        add_spread_light(colour, at, budget);
+        return;
+    }
+    const Bend bend{bent_at(at, at.speed_from, at.speed_to), at.speed_from, at.speed_to,
+                    double(budget.wavelength)};
+    Shares shares{material.reflection, material.transmission};
+    if (material.mirror != Mirror::constant) {
+        shares.mirrored = Colour{reflected_share(material.mirror, bend)};
+        shares.through = Colour{1} - shares.mirrored;
+    }
+    add_shared_light(colour, at, bend, shares, budget);
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+void Tracer<N, Stage, Recorder, Order, mask>::add_area_light(Colour& colour, Id id, const Interaction<N>& at,
+                                                             const Budget& budget) {
+    const Light& light = world_.lights[std::size_t(id)];
+    const Vec3<T> position = as<T>(light.position);
+    const Vec3<T> to_centre = light.directional ? position : position - at.point;
+    LightPoint point{id, 0, light.area.samples, light.colour, light.directional};
+    point.colour /= double(point.samples);
+    for (; point.sample < point.samples; ++point.sample)
+        colour += light_along(point, to_centre + aside(point, to_centre, budget), at, budget);
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+Colour Tracer<N, Stage, Recorder, Order, mask>::passing_with_effects(const Blocker<T>& blocker,
+                                                                     const Ray<T>& ray) const {
+    const Material& material = world_.material_of(blocker.object);
+    const Solid<N>& solid = world_.solids[blocker.surface.solid];
+    if (material.mirror != Mirror::constant) {
+        // By the angle outside, on the way in and out alike: the way of the light that is not bent is the same.
+        const Vec3<T> normal = solid.normal(ray, blocker.t, blocker.surface.face);
+        const T outside = T(world_.medium_speed), inside = T(material.speed);
+        const auto bent = refract<N>(ray.direction, normal, outside, inside);
+        const T reflected = material.mirror == Mirror::schlick
+                                ? schlick(bent, outside, inside)
+                                : fresnel<N>(bent, outside, inside).unpolarized();
+        return Colour{1 - double(reflected)};
+    }
+    if (material.patterns != none)
+        if (const auto& pattern = world_.patterns[std::size_t(material.patterns)].transmission)
+            return pattern->at(pattern_point(solid, ray, blocker.t, int(blocker.surface.face)));
+    return material.transmission;
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
 bool Tracer<N, Stage, Recorder, Order, mask>::spreads(const MediaPair& media) const {
     const auto spreads = [&](Id medium) {
         return medium != none && world_.material_of(std::uint32_t(medium)).dispersion.spreads();

@@ -21,20 +21,15 @@ template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMa
 void Tracer<N, Stage, Recorder, Order, mask>::add_light_from(Colour& colour, Id id, const Interaction<N>& at,
                                                              const Budget& budget) {
     const Light& light = world_.lights[std::size_t(id)];
-    const Vec3<T> position = as<T>(light.position);
-    const Vec3<T> to_centre = light.directional ? position : position - at.point;
-    LightPoint point{id, 0, 1, light.colour, light.directional};
-    if constexpr (!all_effects) {
-        colour += light_along(point, to_centre, at, budget);
-    } else {
-        // An area is so many points, each with its part of the light.
-        point.samples = light.area.samples;
-        const bool has_area = point.samples > 1;
-        if (has_area) point.colour /= double(point.samples);
-        for (; point.sample < point.samples; ++point.sample)
-            colour += light_along(point, has_area ? to_centre + aside(point, to_centre, budget) : to_centre,
-                                  at, budget);
+    if constexpr (all_effects) {
+        if (light.area.samples > 1) {
+            add_area_light(colour, id, at, budget);
+            return;
+        }
     }
+    const Vec3<T> position = as<T>(light.position);
+    colour += light_along({id, 0, 1, light.colour, light.directional},
+                          light.directional ? position : position - at.point, at, budget);
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
@@ -92,25 +87,9 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::visibility(const LightPoint& lig
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
 Colour Tracer<N, Stage, Recorder, Order, mask>::passing(const Blocker<T>& blocker, const Ray<T>& ray) const {
-    const Material& material = world_.material_of(blocker.object);
-    if constexpr (all_effects) {
-        if (material.mirror != Mirror::constant) {
-            // By the angle outside, on the way in and out alike: the way of the light that is not bent is the same.
-            const Solid<N>& solid = world_.solids[blocker.surface.solid];
-            const Vec3<T> normal = solid.normal(ray, blocker.t, blocker.surface.face);
-            const T outside = T(world_.medium_speed), inside = T(material.speed);
-            const auto bent = refract<N>(ray.direction, normal, outside, inside);
-            const T reflected = material.mirror == Mirror::schlick
-                                    ? schlick(bent, outside, inside)
-                                    : fresnel<N>(bent, outside, inside).unpolarized();
-            return Colour{1 - double(reflected)};
-        }
-        if (material.patterns != none)
-            if (const auto& pattern = world_.patterns[std::size_t(material.patterns)].transmission)
-                return pattern->at(pattern_point(world_.solids[blocker.surface.solid], ray, blocker.t,
-                                                 int(blocker.surface.face)));
-    }
-    return material.transmission;
+    if constexpr (all_effects)
+        if (world_.effects == EffectMask::all) return passing_with_effects(blocker, ray);
+    return world_.material_of(blocker.object).transmission;
 }
 
 } // namespace rayscope

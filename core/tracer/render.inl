@@ -74,14 +74,12 @@ private:
     void smooth(const std::vector<bool>& uneven) {
         result_.samples = Map(width_, height_);
         pass([&](auto& tracer, int x, int y) {
-            const Colour first = result_.image.at(x, y);
-            const auto another = [&](int sample) { return trace(tracer, {x, y, sample}); };
-            int taken = 1;
-            if (options_.even_samples)
-                result_.image.set(x, y, mean_of_all_samples(first, taken = samples_, another));
-            else if (uneven[index(x, y)])
-                result_.image.set(x, y, mean_of_samples(first, samples_, another, taken));
-            result_.samples.at(x, y) = float(taken);
+            const bool more = options_.even_samples || uneven[index(x, y)];
+            if (more)
+                result_.image.set(x, y, mean_of_samples(result_.image.at(x, y), samples_, [&](int sample) {
+                                      return trace(tracer, {x, y, sample});
+                                  }));
+            result_.samples.at(x, y) = more ? float(samples_) : 1;
         });
     }
 

@@ -46,47 +46,23 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade(const RayUse& use, const R
         if constexpr (Recorder::enabled) recorder_.record(RayFinished{background, background, tested});
         return background;
     }
-    Interaction<N> at = interact(world_, ray, hit, leaving, budget.medium, work_);
-    [[maybe_unused]] Added<std::optional<EvenMaterials>> even;
+    const Interaction<N> at = interact(world_, ray, hit, leaving, budget.medium, work_);
     if constexpr (all_effects) {
         if (budget.depth == 0) seen_ = {Id(at.hit.object), as<double>(at.facing)};
-        if (world_.effects == EffectMask::all) {
-            if (budget.wavelength > 0) set_speeds(at, double(budget.wavelength));
-            if (at.material->patterns != none || at.wall->patterns != none) {
-                even = even_materials(at, ray);
-                at.material = &even->own;
-                at.wall = &even->wall;
-            }
-        }
+        if (world_.effects == EffectMask::all) return shade_hit_with_effects(ray, at, budget, tested);
     }
-    if constexpr (Recorder::enabled) {
-        recorder_.record(boundary_chosen(at));
-        if (const auto triangle = triangle_hit(world_, ray, at.hit)) recorder_.record(*triangle);
-    }
-
-    // What the medium on the ray's way leaves. The record tells of the light as it arrives at the ray's start.
-    [[maybe_unused]] Added<Colour> passed{};
-    [[maybe_unused]] Added<Budget> dimmed;
-    const Budget* here = &budget;
-    if constexpr (all_effects) {
-        if (world_.absorbs) {
-            passed = absorbed(ray, budget.medium, at.hit.t);
-            dimmed = budget;
-            dimmed.weight *= passed;
-            here = &dimmed;
-        }
-    }
-    Colour local = local_light(at, *here);
+    if constexpr (Recorder::enabled) record_boundary(ray, at);
+    const Colour local = local_light(at, budget);
     Colour colour = local;
-    add_boundary_light(colour, at, *here);
-    if constexpr (all_effects) {
-        if (world_.absorbs) {
-            local *= passed;
-            colour *= passed;
-        }
-    }
+    add_boundary_light(colour, at, budget);
     if constexpr (Recorder::enabled) recorder_.record(RayFinished{local, colour, tested});
     return colour;
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+void Tracer<N, Stage, Recorder, Order, mask>::record_boundary(const Ray<T>& ray, const Interaction<N>& at) {
+    recorder_.record(boundary_chosen(at));
+    if (const auto triangle = triangle_hit(world_, ray, at.hit)) recorder_.record(*triangle);
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
@@ -108,32 +84,26 @@ void Tracer<N, Stage, Recorder, Order, mask>::add_boundary_light(Colour& colour,
         refuse(RayKind::refracted, Reason::coefficient_zero, material.transmission, budget);
         return;
     }
-    Bend bend{bent_at(at, at.speed_from, at.speed_to), at.speed_from, at.speed_to};
-    Colour mirrored = material.reflection, through = material.transmission;
-    if constexpr (all_effects) {
-        if (world_.effects == EffectMask::all) {
-            if (!(budget.wavelength > 0) && spreads(at.media)) {
-                add_spread_light(colour, at, budget);
-                return;
-            }
-            bend.wavelength = double(budget.wavelength);
-            if (material.mirror != Mirror::constant) {
-                mirrored = Colour{reflected_share(material.mirror, bend)};
-                through = Colour{1} - mirrored;
-            }
-        }
-    }
+    const Bend bend{bent_at(at, at.speed_from, at.speed_to), at.speed_from, at.speed_to};
+    add_shared_light(colour, at, bend, {material.reflection, material.transmission}, budget);
+}
+
+template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+void Tracer<N, Stage, Recorder, Order, mask>::add_shared_light(Colour& colour, const Interaction<N>& at,
+                                                               const Bend& bend, const Shares& shares,
+                                                               const Budget& budget) {
+    Colour mirrored = shares.mirrored;
     const bool total = bend.bent.total();
     if (total) {
         // What can't get through is mirrored as well: one ray carries both shares.
-        mirrored = material.reflection + material.transmission;
+        mirrored = at.material->reflection + at.material->transmission;
         note_total_reflection(bend, mirrored);
     }
     colour += mirrored_light(at, mirrored, budget);
     if (total)
-        refuse(RayKind::refracted, Reason::total_internal_reflection, material.transmission, budget);
+        refuse(RayKind::refracted, Reason::total_internal_reflection, at.material->transmission, budget);
     else
-        colour += transmitted_light(at, bend, through, budget);
+        colour += transmitted_light(at, bend, shares.through, budget);
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>

@@ -74,6 +74,10 @@ private:
             return rayscope::critical_angle(double(speed_from), double(speed_to)).value_or(not_a_number);
         }
     };
+    /// How much of the light at a boundary goes which way.
+    struct Shares {
+        Colour mirrored, through;
+    };
     /// A point that shines: a light, or a sample of its area.
     struct LightPoint {
         Id id;
@@ -87,16 +91,26 @@ private:
     [[nodiscard]] Colour trace(const Ray<T>& ray, const RayUse& use, std::uint32_t seed);
     [[nodiscard]] Colour shade(const RayUse& use, const Ray<T>& ray, const Leaving<T>& leaving,
                                const Budget& budget);
+    void record_boundary(const Ray<T>& ray, const Interaction<N>& at);
 
-    [[nodiscard]] Colour local_light(const Interaction<N>& at, const Budget& budget);
-    void add_light_from(Colour& colour, Id light, const Interaction<N>& at, const Budget& budget);
-    [[nodiscard]] Colour light_along(const LightPoint& light, const Vec3<T>& offset, const Interaction<N>& at,
-                                     const Budget& budget);
-    [[nodiscard]] Colour visibility(const LightPoint& light, const Vec3<T>& to_light, T distance,
-                                    const Interaction<N>& at, const Budget& budget);
+    // Inlined by order: GCC does so by itself where a function is called once, in the classic tracer.
+    [[nodiscard, gnu::always_inline]] inline Colour local_light(const Interaction<N>& at,
+                                                                const Budget& budget);
+    [[gnu::always_inline]] inline void add_light_from(Colour& colour, Id light, const Interaction<N>& at,
+                                                      const Budget& budget);
+    [[nodiscard, gnu::always_inline]] inline Colour light_along(const LightPoint& light,
+                                                                const Vec3<T>& offset,
+                                                                const Interaction<N>& at,
+                                                                const Budget& budget);
+    [[nodiscard, gnu::always_inline]] inline Colour visibility(const LightPoint& light,
+                                                               const Vec3<T>& to_light, T distance,
+                                                               const Interaction<N>& at,
+                                                               const Budget& budget);
     [[nodiscard]] Colour passing(const Blocker<T>& blocker, const Ray<T>& ray) const;
 
     void add_boundary_light(Colour& colour, const Interaction<N>& at, const Budget& budget);
+    void add_shared_light(Colour& colour, const Interaction<N>& at, const Bend& bend, const Shares& shares,
+                          const Budget& budget);
     [[nodiscard, gnu::always_inline]] inline Refraction<T> bent_at(const Interaction<N>& at, T speed_from,
                                                                    T speed_to) const;
     [[nodiscard]] Colour mirrored_light(const Interaction<N>& at, const Colour& coefficient,
@@ -109,6 +123,13 @@ private:
     void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
 
     // With all effects alone. Not inlined, lest what is the same for both tracers becomes too large to be.
+    [[nodiscard, gnu::noinline]] Colour shade_hit_with_effects(const Ray<T>& ray, Interaction<N> at,
+                                                               const Budget& budget, int tested);
+    void add_boundary_light_with_effects(Colour& colour, const Interaction<N>& at, const Budget& budget);
+    [[gnu::noinline]] void add_area_light(Colour& colour, Id light, const Interaction<N>& at,
+                                          const Budget& budget);
+    [[nodiscard, gnu::noinline]] Colour passing_with_effects(const Blocker<T>& blocker,
+                                                             const Ray<T>& ray) const;
     [[nodiscard]] bool spreads(const MediaPair& media) const;
     [[nodiscard]] T speed_at(Id medium, double wavelength) const;
     [[nodiscard, gnu::noinline]] Vec3<T> aside(const LightPoint& point, const Vec3<T>& to_centre,

@@ -37,10 +37,10 @@ void zip(const fs::path& folder, const fs::path& output) {
     std::vector<std::string> words{
         "env", "-C", folder.string(), "cmake",        "-E",
         "tar", "cf", "package.zip",   "--format=zip", "--mtime=2000-01-01 00:00:00"};
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
-    std::sort(names.begin(), names.end());
-    words.insert(words.end(), names.begin(), names.end());
+    std::vector<std::string> entries;
+    for (const auto& entry : fs::directory_iterator(folder)) entries.push_back(entry.path().filename());
+    std::sort(entries.begin(), entries.end());
+    words.insert(words.end(), entries.begin(), entries.end());
     Child child(words, {}, Child::Errors::with_output);
     const auto ended = child.finish(4096, std::chrono::minutes(2));
     if (!ended || ended->code != 0)

@@ -80,8 +80,8 @@ TEST(Samples, cover_as_much_of_an_edge_pixel_as_the_ball_does) {
         for (int x = 0; x < 32; ++x) {
             double sum = 0;
             for (int i = 0; i < 64; ++i) sum += exact.at(8 * x + i % 8, 8 * y + i / 8).x;
-            // Eight samples that are alike end it: what they miss is less than an eighth.
-            EXPECT_NEAR(smooth.at(x, y).x, sum / 64, 0.13) << x << ' ' << y;
+            // Along a diagonal edge Sobol's points stand in rows: one of them falls to one side as a whole.
+            EXPECT_NEAR(smooth.at(x, y).x, sum / 64, 7.5 / 64) << x << ' ' << y;
         }
 }
 
