@@ -41,7 +41,7 @@ while (($# > 0)); do
         --build) folder=$2
             if [[ -n ${BROKEN-} ]]; then echo "an error of the compiler"; exit 1; fi
             mkdir -p "$folder/bin"
-            for program in rayscope rayscope-bench; do
+            for program in rayscope rayscope-bench lesson_csg; do
                 printf "#!/usr/bin/env bash\npwd\nprintf \"<%%s>\" \"\$@\"\nexit 7\n" >"$folder/bin/$program"
                 chmod +x "$folder/bin/$program"
             done ;;
@@ -115,6 +115,15 @@ if [[ $(calls 'cmake --build') != $((builds + 2)) ]]; then
     echo 'FAILED: a newer benchmark is built'
     failures=$((failures + 1))
 fi
+
+mkdir -p "$project/chapters/02_csg"
+touch "$project/chapters/02_csg/lesson.cpp"
+run "$project/rayscope" lesson csgg
+expect 2 'expected one of: csg$' 'an unknown lesson names those that exist'
+run "$project/rayscope" help lesson
+expect 0 'names: csg$' 'help lesson names them, too'
+run "$project/rayscope" lesson csg
+expect 7 '<>$' 'a lesson is a program of its own'
 
 # Someone who may not install. Root becomes nobody for this.
 as_nobody=()
