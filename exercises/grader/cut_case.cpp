@@ -11,10 +11,10 @@
 namespace rayscope::exercises {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t(256) << 20U;
+constexpr std::size_t most_bytes_of_record = std::size_t(256) << 20U;
 
 Trace read_trace(const std::filesystem::path& path) {
-    const std::string text = read_file(path, most_bytes);
+    const std::string text = read_file(path, most_bytes_of_record);
     try {
         return trace_from_json(nlohmann::json::parse(text));
     } catch (const std::exception& error) {

@@ -12,7 +12,7 @@
 namespace rayscope::exercises {
 namespace {
 
-constexpr std::size_t width = 80;
+constexpr std::size_t page_width = 80;
 
 std::size_t columns(std::string_view text) {
     std::size_t count = 0;
@@ -35,7 +35,7 @@ std::string wrapped(std::string_view text, std::size_t indent) {
     std::istringstream words{std::string(text)};
     std::string result, line;
     for (std::string word; words >> word;) {
-        if (!line.empty() && columns(line) + 1 + columns(word) + indent > width) {
+        if (!line.empty() && columns(line) + 1 + columns(word) + indent > page_width) {
             result += margin + line + "\n";
             line.clear();
         }

@@ -83,7 +83,7 @@ Progress Workspace::progress() const {
 }
 
 void Workspace::update(const std::function<void(Progress&)>& change) const {
-    const int lock = open((own_folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+    const int lock = ::open((own_folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
     if (lock >= 0) flock(lock, LOCK_EX);
     Progress known = progress();
     change(known);
