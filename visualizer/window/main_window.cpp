@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace rayscope::window {
 MainWindow::MainWindow(Desk& given, bool remember)
@@ -28,7 +29,7 @@ MainWindow::MainWindow(Desk& given, bool remember)
     if (remember_) {
         const QSettings settings;
         restoreGeometry(settings.value("geometry").toByteArray());
-        restoreState(settings.value("state").toByteArray());
+        sized_ = restoreState(settings.value("state").toByteArray());
     }
     scene_changed();
 }
@@ -168,6 +169,11 @@ bool MainWindow::may_leave() {
                                               QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
     if (answer == QMessageBox::Save) save();
     return answer != QMessageBox::Cancel && (answer == QMessageBox::Discard || !desk.changed());
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    if (!std::exchange(sized_, true)) size_docks();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -61,10 +61,12 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void make_docks();
+    void size_docks();
     void make_menus();
     void make_toolbar();
     void make_options();
@@ -92,7 +94,7 @@ private:
     QAction *undo_ = nullptr, *redo_ = nullptr, *play_ = nullptr;
     QTimer play_timer_, image_timer_;
     QString message_;
-    bool remember_, frame_next_ = true, typing_ = false, showing_ = false;
+    bool remember_, frame_next_ = true, typing_ = false, showing_ = false, sized_ = false;
     double last_milliseconds_ = 0;
 };
 

@@ -15,12 +15,11 @@
 namespace rayscope::window {
 namespace {
 
-QDockWidget* dock_of(MainWindow& window, const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
+void dock_of(MainWindow& window, const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, &window);
     dock->setObjectName("dock_" + widget->objectName());
     dock->setWidget(widget);
     window.addDockWidget(area, dock);
-    return dock;
 }
 
 void make_reader(QPlainTextEdit& view, const char* name) {
@@ -51,13 +50,19 @@ void MainWindow::make_docks() {
     tabs.addTab(&materials, "Materials");
     tabs.addTab(&objects, "Objects");
     tabs.addTab(&console, "Console");
-    auto* picture = dock_of(*this, "Image", &image, Qt::LeftDockWidgetArea);
-    auto* recursion = dock_of(*this, "Recursion tree", &tree, Qt::LeftDockWidgetArea);
-    auto* intervals = dock_of(*this, "Inside intervals along the ray", &lanes, Qt::BottomDockWidgetArea);
-    auto* numbers = dock_of(*this, "Details", &tabs, Qt::RightDockWidgetArea);
-    resizeDocks({picture, numbers}, {370, 570}, Qt::Horizontal);
-    resizeDocks({picture, recursion}, {330, 560}, Qt::Vertical);
-    resizeDocks({intervals}, {230}, Qt::Vertical);
+    dock_of(*this, "Image", &image, Qt::LeftDockWidgetArea);
+    dock_of(*this, "Recursion tree", &tree, Qt::LeftDockWidgetArea);
+    dock_of(*this, "Inside intervals along the ray", &lanes, Qt::BottomDockWidgetArea);
+    dock_of(*this, "Details", &tabs, Qt::RightDockWidgetArea);
+}
+
+/// As wide as the window lets them be, with most of it for the rays.
+void MainWindow::size_docks() {
+    const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QString("dock_") + name); };
+    const int details_width = width() < 1400 ? 450 : 570;
+    resizeDocks({dock("image"), dock("tabs")}, {width() < 1400 ? 310 : 370, details_width}, Qt::Horizontal);
+    resizeDocks({dock("image"), dock("tree")}, {height() * 34 / 100, height() * 56 / 100}, Qt::Vertical);
+    resizeDocks({dock("lanes")}, {height() * 23 / 100}, Qt::Vertical);
 }
 
 QAction* MainWindow::add_action(QMenu* menu, const QString& text, const QString& shortcut, const QString& tip,

@@ -16,14 +16,14 @@ enum Column { name, target, distance, share, columns };
 
 /// A stroke as in the 3D view: shadow rays are dashed.
 QPixmap stroke_of(const TracedRay& ray) {
-    QPixmap pixmap(18, 12);
+    QPixmap pixmap(14, 12);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     const drawing::Rgb c = drawing::ray_colour(ray);
     QPen pen(QColor(c.red, c.green, c.blue), 3);
     if (ray.start().kind == RayKind::shadow) pen.setDashPattern({1.4, 1});
     painter.setPen(pen);
-    painter.drawLine(1, 6, 17, 6);
+    painter.drawLine(1, 6, 13, 6);
     return pixmap;
 }
 
@@ -123,8 +123,8 @@ RayTree::RayTree() {
     setUniformRowHeights(true);
     setAlternatingRowColors(true);
     setSelectionBehavior(SelectRows);
-    setIconSize({18, 12});
-    setIndentation(13);
+    setIconSize({14, 12});
+    setIndentation(10);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(QHeaderView::Interactive);
     header()->setMinimumSectionSize(36);
@@ -143,8 +143,8 @@ void RayTree::show_trace(const Trace* trace, double least) {
 
 void RayTree::resizeEvent(QResizeEvent* event) {
     QTreeView::resizeEvent(event);
-    constexpr int number = 58;
-    const int rest = std::max(viewport()->width() - 2 * number, 160), names = rest * 55 / 100;
+    constexpr int number = 52;
+    const int rest = std::max(viewport()->width() - 2 * number, 160), names = rest * 64 / 100;
     setColumnWidth(name, names);
     setColumnWidth(target, rest - names);
     setColumnWidth(distance, number);

@@ -11,7 +11,7 @@ namespace {
 
 // Rays of a trace of thousands that are drawn: the current one's path and what it spawned come first, then the heaviest.
 constexpr std::size_t most_rays_drawn = 600;
-constexpr int paint_after = 0; // milliseconds
+constexpr int paint_after = 0, refine_after = 300; // milliseconds
 
 } // namespace
 
@@ -25,6 +25,8 @@ RayView::RayView() : actors_(std::make_unique<Actors>()), worker_(this) {
     setRenderWindow(actors_->window);
     paint_timer_.setSingleShot(true);
     settle_timer_.setSingleShot(true);
+    refine_timer_.setSingleShot(true);
+    QObject::connect(&refine_timer_, &QTimer::timeout, this, [this] { render(true); });
     QObject::connect(&paint_timer_, &QTimer::timeout, this, [this] { draw(); });
     QObject::connect(&settle_timer_, &QTimer::timeout, this, [this] {
         moving_ = false;
@@ -180,6 +182,14 @@ void RayView::draw() {
         drawing::aim(actors_->world->GetActiveCamera(), *view_);
         actors_->clip(*view_, orbit_.radius, scene_->region.radius);
     }
+    render(false);
+    refine_timer_.start(refine_after);
+}
+
+/// Without a graphics card the right order of all that is translucent takes several times as long: it waits for a rest.
+void RayView::render(bool fine) {
+    actors_->world->SetUseDepthPeeling(fine);
+    actors_->world->SetUseFXAA(fine);
     if (isValid()) actors_->window->Render();
     update();
 }

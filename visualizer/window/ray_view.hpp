@@ -55,7 +55,8 @@ public:
 
     /// Whether the surfaces are those of the trace.
     [[nodiscard]] bool complete() const {
-        return !worker_.busy() && scene_ != nullptr && !paint_timer_.isActive();
+        return !worker_.busy() && scene_ != nullptr && !paint_timer_.isActive() &&
+               !settle_timer_.isActive() && !refine_timer_.isActive();
     }
     [[nodiscard]] std::size_t rays_drawn() const { return styles_.size(); }
     [[nodiscard]] std::vector<std::string> surfaces_shown() const;
@@ -84,6 +85,7 @@ private:
     void take(std::shared_ptr<const Scenery> scenery, bool frame);
     void changed(bool surfaces); // to be drawn soon
     void draw();
+    void render(bool fine);
     void draw_surfaces();
     void draw_strokes();
     void aim();
@@ -106,7 +108,7 @@ private:
     QPointF pressed_, last_;
     std::optional<std::size_t> dragged_light_;
     bool light_moved_ = false;
-    QTimer paint_timer_, settle_timer_;
+    QTimer paint_timer_, settle_timer_, refine_timer_;
     Worker worker_; // last: it ends before what it hands over to
 };
 
