@@ -42,6 +42,11 @@ std::vector<json> terminal_states(const std::string& scene, const std::vector<st
     return states;
 }
 
+/// The image is shown smaller than it is: a place on the screen is one of a few pixels.
+bool is_near(const json& pixel, int x, int y) {
+    return std::abs(pixel.at(0).get<int>() - x) <= 2 && std::abs(pixel.at(1).get<int>() - y) <= 2;
+}
+
 TEST_F(Window, keys_move_as_the_terminal_does_and_every_number_is_the_same) {
     const std::vector<std::pair<std::string, std::string>> moves{{"N", "next"},
                                                                  {"S", "step"},
@@ -87,7 +92,7 @@ TEST_F(Window, a_click_anywhere_selects_everywhere) {
         screen, "glass_bowl", "wait\npick 320 240\nwait\nrow 2\nray 1\nsweep 0.5\nscrub 300 200 310 220\n");
     ASSERT_EQ(window.lines.size(), 7U) << window.outcome.err;
     const auto& lines = window.lines;
-    EXPECT_EQ(lines[1]["pixel"], json({320, 240}));
+    EXPECT_TRUE(is_near(lines[1]["pixel"], 320, 240)) << lines[1]["pixel"];
     EXPECT_EQ(lines[1]["state"]["ray"], 0);
     EXPECT_EQ(lines[3]["state"]["ray"], 2);
     EXPECT_THAT(lines[3]["details"].get<std::string>(), HasSubstr("ray 2"));
@@ -95,7 +100,7 @@ TEST_F(Window, a_click_anywhere_selects_everywhere) {
     EXPECT_THAT(lines[4]["row"][0].get<std::string>(), testing::StartsWith("1 "));
     EXPECT_TRUE(lines[5]["sweep"].is_number());
     EXPECT_TRUE(lines[5]["lanes"][0].contains("inside"));
-    EXPECT_EQ(lines[6]["pixel"], json({310, 220}));
+    EXPECT_TRUE(is_near(lines[6]["pixel"], 310, 220)) << lines[6]["pixel"];
     EXPECT_EQ(window.outcome.code, 0);
 }
 
