@@ -22,14 +22,16 @@ struct Mistake {
 TEST(Usage, mistakes_are_named_with_what_was_expected) {
     const std::vector<Mistake> mistakes{
         {{},
-         "rayscope: no command; expected step, find, diff, trace, render, explain, extents, export, accuracy "
-         "or help"},
+         "rayscope: no command; expected step, find, diff, trace, render, explain, extents, export, "
+         "accuracy, "
+         "view or help"},
         {{""},
-         "rayscope: no command; expected step, find, diff, trace, render, explain, extents, export, accuracy "
-         "or help"},
+         "rayscope: no command; expected step, find, diff, trace, render, explain, extents, export, "
+         "accuracy, "
+         "view or help"},
         {{"stp"},
          "rayscope: unknown command 'stp'; did you mean 'step'?; expected step, find, diff, trace, render, "
-         "explain, extents, export, accuracy or help"},
+         "explain, extents, export, accuracy, view or help"},
         {{"help", "stp"}, "rayscope: unknown command 'stp'; did you mean 'step'?"},
         {{"help", "step", "trace"}, "rayscope: unexpected argument 'trace'"},
         {{"--version", "step"}, "rayscope: unexpected argument 'step'"},

@@ -3,6 +3,7 @@
 #include "visualizer/cli/commands.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/page.hpp"
+#include "visualizer/cli/view_command.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -55,6 +56,7 @@ int guarded(int count, const char* const* arguments) {
 
 int main(int count, char** arguments) {
     std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is a failed write, told like any other
+    if (count > 1 && std::strcmp(arguments[1], "view") == 0) return cli::view(count, arguments);
     const int code = guarded(count, arguments);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
     std::fprintf(stderr, "rayscope: can't write to standard output: %s\n", std::strerror(errno));

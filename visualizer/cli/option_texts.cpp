@@ -204,12 +204,17 @@ CLI::App_p make_accuracy(Texts& texts) {
     return made;
 }
 
+/// The window is a program of its own, which reads its options itself (see view_command.cpp).
+CLI::App_p make_view() {
+    return std::make_shared<CLI::App>("open a window to walk through the rays of a scene", "view");
+}
+
 } // namespace
 
 Commands make_commands(Texts& texts) {
-    return {make_step(texts),    make_find(texts),   make_diff(texts),
-            make_trace(texts),   make_render(texts), make_explain(texts),
-            make_extents(texts), make_export(texts), make_accuracy(texts)};
+    return {make_step(texts),     make_find(texts),    make_diff(texts),    make_trace(texts),
+            make_render(texts),   make_explain(texts), make_extents(texts), make_export(texts),
+            make_accuracy(texts), make_view()};
 }
 
 } // namespace rayscope::cli

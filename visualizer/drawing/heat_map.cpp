@@ -17,12 +17,6 @@ constexpr std::array<Rgb, 9> viridis{Rgb{0x44, 0x01, 0x54}, Rgb{0x47, 0x2D, 0x7B
 constexpr double font = 14;
 constexpr int margin = 16, head = 44, bar_width = 20, bar_room = 96;
 
-Rgb colour_at(double share) {
-    const double place = std::clamp(share, 0.0, 1.0) * (viridis.size() - 1);
-    const auto below = std::min(std::size_t(place), viridis.size() - 2);
-    return mixed(viridis.at(below), viridis.at(below + 1), place - double(below));
-}
-
 // Between 512 and 1024 pixels on the longer side, each value a square.
 int enlargement(const Map& map) { return std::max(1, 1024 / std::max({map.width, map.height, 1})); }
 
@@ -32,7 +26,7 @@ void draw_bar(Canvas& canvas, const Area& area, double most, bool more) {
         const double bottom = area.bottom() - area.height * i / steps;
         canvas.add(
             FilledArea{{area.x, bottom - area.height / steps - 0.5, area.width, area.height / steps + 0.5},
-                       colour_at((i + 0.5) / steps)});
+                       heat_colour((i + 0.5) / steps)});
     }
     for (int i = 0; i <= 4; ++i)
         canvas.add(Text{{area.right() + 6, area.bottom() - area.height * i / 4},
@@ -46,7 +40,7 @@ void copy_map(Raster& raster, const Map& map, int size, double most) {
         for (int x = 0; x < map.width * size; ++x) {
             const float value =
                 map.values[std::size_t(y / size) * std::size_t(map.width) + std::size_t(x / size)];
-            const Rgb colour = colour_at(std::isfinite(value) ? double(value) / most : 1);
+            const Rgb colour = heat_colour(std::isfinite(value) ? double(value) / most : 1);
             std::uint8_t* pixel = &raster.bytes[3 * (std::size_t(head + y) * std::size_t(raster.width) +
                                                      std::size_t(margin + x))];
             pixel[0] = colour.red;
@@ -56,6 +50,12 @@ void copy_map(Raster& raster, const Map& map, int size, double most) {
 }
 
 } // namespace
+
+Rgb heat_colour(double share) {
+    const double place = std::clamp(share, 0.0, 1.0) * (viridis.size() - 1);
+    const auto below = std::min(std::size_t(place), viridis.size() - 2);
+    return mixed(viridis.at(below), viridis.at(below + 1), place - double(below));
+}
 
 Raster draw_heat_map(const Map& map, const std::string& title, double most) {
     const int size = enlargement(map), width = map.width * size, height = map.height * size;

@@ -1,11 +1,15 @@
 #pragma once
 // One number for each pixel, as a picture with its scale.
 
+#include "visualizer/drawing/palette.hpp"
 #include "visualizer/drawing/picture.hpp"
 
 #include <string>
 
 namespace rayscope::drawing {
+
+/// Viridis: share 0 is dark, 1 is light.
+[[nodiscard]] Rgb heat_colour(double share);
 
 /// Viridis from 0 to `most`, beside a bar that tells the numbers; what is more looks like `most`.
 /// Each value is a square of whole pixels.

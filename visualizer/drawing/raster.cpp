@@ -1,15 +1,13 @@
 #include "visualizer/drawing/raster.hpp"
 
+#include "visualizer/drawing/actors.hpp"
 #include "visualizer/drawing/averaged.hpp"
 #include "visualizer/drawing/canvas_item.hpp"
 #include "visualizer/drawing/egl_context.hpp"
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -19,27 +17,6 @@ namespace {
 
 constexpr int oversampling = 2, peels = 8;
 constexpr double nearest = 0.2, farthest = 150; // in radii of the region
-
-vtkSmartPointer<vtkActor> actor_of(vtkPolyData* data, bool lit) {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    mapper->SetColorModeToDirectScalars();
-    auto actor = vtkSmartPointer<vtkActor>::New();
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetLighting(lit);
-    actor->GetProperty()->SetInterpolationToPhong();
-    actor->GetProperty()->SetAmbient(0.62);
-    actor->GetProperty()->SetDiffuse(0.42);
-    return actor;
-}
-
-void aim(vtkCamera* camera, const View& view) {
-    const Vec3d position = view.position(), focus = position - view.back(), up = view.up();
-    camera->SetPosition(position.x, position.y, position.z);
-    camera->SetFocalPoint(focus.x, focus.y, focus.z);
-    camera->SetViewUp(up.x, up.y, up.z);
-    camera->SetViewAngle(view.field_of_view());
-}
 
 } // namespace
 

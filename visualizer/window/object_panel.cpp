@@ -1,0 +1,157 @@
+#include "visualizer/window/object_panel.hpp"
+
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace rayscope::window {
+namespace {
+
+constexpr std::size_t most_listed = 1000;
+
+const char* word_of(Presence presence) {
+    switch (presence) {
+    case Presence::shown: return "shown";
+    case Presence::ghost: return "ghost";
+    default: return "hidden";
+    }
+}
+
+} // namespace
+
+ObjectPanel::ObjectPanel(RayView& view) : view_(view) {
+    setObjectName("objects");
+    list_.setObjectName("object_list");
+    list_.setHeaderLabels({"object", "in 3D", "made of"});
+    list_.setRootIsDecorated(false);
+    list_.setUniformRowHeights(true);
+    list_.setAlternatingRowColors(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->addWidget(&list_, 1);
+    auto* grid = new QGridLayout;
+    column->addLayout(grid);
+    int at = 0;
+    const auto add = [&](const char* text, const char* tip, auto&& act) {
+        auto* button = new QPushButton(text);
+        button->setToolTip(tip);
+        button->setObjectName(QString("object_") + QString(text).toLower().replace(' ', '_'));
+        grid->addWidget(button, at / 3, at % 3);
+        ++at;
+        QObject::connect(button, &QPushButton::clicked, this, act);
+    };
+    add("Show", "The chosen object as it is", [this] { set_presence(Presence::shown); });
+    add("Ghost", "The chosen object as a faint outline", [this] { set_presence(Presence::ghost); });
+    add("Hide", "The chosen object not at all", [this] { set_presence(Presence::hidden); });
+    add("Isolate", "The chosen object alone", [this] { isolate(); });
+    add("Explode", "A compound with all its operands, also those that a difference took away",
+        [this] { explode(); });
+    add("Show all", "Every object as it is", [this] { show_all(); });
+    QObject::connect(&list_, &QTreeWidget::itemDoubleClicked, this, [this] {
+        const auto id = chosen();
+        if (!id) return;
+        const auto found = view_.presence().find(*id);
+        const Presence now = found == view_.presence().end() ? Presence::shown : found->second;
+        set_presence(Presence((int(now) + 1) % 3));
+    });
+}
+
+void ObjectPanel::show_scene(const Scene& scene) {
+    if (objects_ == scene.drawn.size() && list_.topLevelItemCount() > 0) {
+        bool same = true;
+        for (int i = 0; same && i < std::min(list_.topLevelItemCount(), int(most_listed)); ++i)
+            same = list_.topLevelItem(i)->text(0).toStdString() ==
+                   object_title(scene, scene.drawn[std::size_t(i)]);
+        if (same) return refresh();
+    }
+    objects_ = scene.drawn.size();
+    list_.clear();
+    QList<QTreeWidgetItem*> items;
+    for (std::size_t i = 0; i < std::min(objects_, most_listed); ++i) {
+        const SceneObject& object = scene.drawn[i];
+        auto* item = new QTreeWidgetItem;
+        item->setText(0, QString::fromStdString(object_title(scene, object)));
+        if (object.is_compound)
+            item->setText(2, QString::fromStdString(scene.compounds[object.index].expression));
+        item->setData(0, Qt::UserRole, qulonglong(i));
+        items << item;
+    }
+    list_.addTopLevelItems(items);
+    if (objects_ > most_listed) {
+        auto* more = new QTreeWidgetItem({QString("… and %1 more").arg(objects_ - most_listed)});
+        more->setFlags(Qt::NoItemFlags);
+        list_.addTopLevelItem(more);
+    }
+    list_.header()->resizeSection(0, 130);
+    list_.header()->resizeSection(1, 70);
+    refresh();
+}
+
+void ObjectPanel::refresh() {
+    const auto& presence = view_.presence();
+    for (int i = 0; i < list_.topLevelItemCount(); ++i) {
+        QTreeWidgetItem* item = list_.topLevelItem(i);
+        if (!(item->flags() & Qt::ItemIsEnabled)) continue;
+        const auto id = std::size_t(item->data(0, Qt::UserRole).toULongLong());
+        const auto found = presence.find(id);
+        QString text = word_of(found == presence.end() ? Presence::shown : found->second);
+        if (view_.exploded().contains(id)) text = "exploded";
+        item->setText(1, text);
+    }
+}
+
+std::optional<std::size_t> ObjectPanel::chosen() const {
+    const QTreeWidgetItem* item = list_.currentItem();
+    if (item == nullptr || !(item->flags() & Qt::ItemIsEnabled)) return std::nullopt;
+    return std::size_t(item->data(0, Qt::UserRole).toULongLong());
+}
+
+void ObjectPanel::mark(std::size_t drawn) {
+    if (drawn < most_listed && int(drawn) < list_.topLevelItemCount())
+        list_.setCurrentItem(list_.topLevelItem(int(drawn)));
+}
+
+bool ObjectPanel::choose(const std::string& name) {
+    const auto found = list_.findItems(QString::fromStdString(name), Qt::MatchExactly);
+    if (found.isEmpty()) return false;
+    list_.setCurrentItem(found.first());
+    return true;
+}
+
+void ObjectPanel::set_presence(Presence presence) {
+    const auto id = chosen();
+    if (!id) return;
+    auto all = view_.presence();
+    all[*id] = presence;
+    view_.set_presence(std::move(all));
+    refresh();
+}
+
+void ObjectPanel::isolate() {
+    const auto id = chosen();
+    if (!id) return;
+    std::map<std::size_t, Presence> all;
+    for (std::size_t i = 0; i < objects_; ++i) all[i] = i == *id ? Presence::shown : Presence::hidden;
+    view_.set_presence(std::move(all));
+    refresh();
+}
+
+void ObjectPanel::explode() {
+    const auto id = chosen();
+    if (!id) return;
+    auto exploded = view_.exploded();
+    if (!exploded.erase(*id)) exploded.insert(*id);
+    view_.set_exploded(std::move(exploded));
+    refresh();
+}
+
+void ObjectPanel::show_all() {
+    view_.set_presence({});
+    view_.set_exploded({});
+    refresh();
+}
+
+} // namespace rayscope::window

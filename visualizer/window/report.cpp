@@ -1,0 +1,79 @@
+#include "visualizer/window/main_window.hpp"
+#include "visualizer/window/script.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace rayscope::window {
+namespace {
+
+std::string text_of(const QString& text) { return text.toStdString(); }
+
+/// Of this process, in megabytes.
+double memory() {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (word == "VmRSS:") {
+            double kilobytes = 0;
+            status >> kilobytes;
+            return std::round(kilobytes / 1024);
+        }
+    return 0;
+}
+
+nlohmann::json lanes_json(const MainWindow& window) {
+    nlohmann::json lanes = nlohmann::json::array();
+    const auto sweep = window.lanes.sweep();
+    const auto inside = window.lanes.inside_at(sweep.value_or(0));
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        nlohmann::json spans = nlohmann::json::array();
+        for (const SpanFound& span : window.lanes.lanes().shown[i].spans)
+            spans.push_back({number_json(span.enter.t), number_json(span.exit.t)});
+        lanes.push_back({{"label", inside[i].label}, {"spans", spans}});
+        if (sweep) lanes.back()["inside"] = inside[i].inside;
+    }
+    return lanes;
+}
+
+} // namespace
+
+std::string report_of(MainWindow& window, const std::string& line, bool ok) {
+    nlohmann::json row = nlohmann::json::array(), card = nlohmann::json::object(),
+                   values = nlohmann::json::array();
+    for (const QString& text : window.tree.current_row()) row.push_back(text_of(text));
+    for (const CardView::Line& l : window.card.lines()) card[text_of(l.name)] = text_of(l.value);
+    for (const QString& text : window.materials.values()) values.push_back(text_of(text));
+    const TraceSource& source = window.desk.trace().source;
+    const MadeImage& image = window.image.image();
+    const nlohmann::json report{
+        {"command", line},
+        {"ok", ok},
+        {"message", text_of(window.message())},
+        {"state", state_json(window.desk.walk())},
+        {"scene", window.desk.file().string()},
+        {"changed", window.desk.changed()},
+        {"pixel", source.by_hand ? nlohmann::json() : nlohmann::json{source.x, source.y}},
+        {"rays", window.desk.trace().rays.size()},
+        {"row", row},
+        {"left_out", window.tree.left_out()},
+        {"place", text_of(window.place())},
+        {"details", text_of(window.details.toPlainText())},
+        {"lanes", lanes_json(window)},
+        {"sweep", window.lanes.sweep() ? number_json(*window.lanes.sweep()) : nlohmann::json()},
+        {"card", card},
+        {"materials", values},
+        {"console", text_of(window.console.log()).substr(0, 20000)},
+        {"image",
+         {{"width", image.width},
+          {"height", image.height},
+          {"fine", image.fine},
+          {"seconds", image.seconds}}},
+        {"space", {{"rays", window.space.rays_drawn()}, {"surfaces", window.space.surfaces_shown()}}},
+        {"size", {window.width(), window.height()}},
+        {"milliseconds", window.last_milliseconds()},
+        {"megabytes", memory()}};
+    return report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+} // namespace rayscope::window
