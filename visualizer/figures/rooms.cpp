@@ -29,7 +29,7 @@ Svg recursion_level_3(const Subject& subject) {
             svg.line({x, y}, {x + side * 14, y + 14}, {blue, 2}); // their backs
         svg.text({x + side * 30, 60}, "mirror", {21, blue, true, side < 0 ? Anchor::end : Anchor::start});
     }
-    constexpr const char* levels[] = {"level 0, the eye's ray", "level 1", "level 2", "level 3"};
+    constexpr const char* levels[] = {"level 0, eye", "level 1", "level 2", "level 3"};
     int ray = 0;
     for (int level = 0;; ++level) {
         const RaySpawned& start = trace.rays[std::size_t(ray)].start();
@@ -38,13 +38,13 @@ Svg recursion_level_3(const Subject& subject) {
         svg.heading(sheet(from), sheet(to), pen_of(start.kind, 4), 0.6);
         svg.dot(sheet(to), 7, purple);
         // Beside the room, where there is space; a thin line leads to the ray.
-        const bool right = level % 2 == 0;
-        const double y = 150 + 130 * (level / 2) + (right ? 0 : 60);
+        const bool right = level == 0 || level == 3;
+        constexpr double heights[] = {600, 540, 300, 300};
+        const double y = heights[level];
         const Pixel end{right ? 760.0 : 240.0, y};
         svg.line(sheet(middle), end, {grey, 1.5});
         const Anchor anchor = right ? Anchor::start : Anchor::end;
-        svg.text({end.x + (right ? 6 : -6), y}, level == 0 ? "level 0, eye" : levels[level],
-                 {21, level == 0 ? black : blue, true, anchor});
+        svg.text({end.x + (right ? 6 : -6), y}, levels[level], {21, level == 0 ? black : blue, true, anchor});
         svg.text({end.x + (right ? 6 : -6), y + 28},
                  "weight " + digits(weight(trace.rays[std::size_t(ray)]), 3), {19, grey, false, anchor});
         const auto next = children_of(trace, trace.rays[std::size_t(ray)], RayKind::reflected);
