@@ -33,7 +33,7 @@ Svg two_spheres_hits(const Subject& subject) {
     svg.path(outline_of(b), {vermilion, 2.5, "9 5"});
     svg.text({446, 100}, "A", {30, blue, true});
     svg.text({634, 100}, "B", {30, vermilion, true});
-    svg.text({540, 262}, "A ∩ B", {20, black, true});
+    svg.text({540, 232}, "A ∩ B", {19, black, true});
 
     const Trace trace = trace_ray(subject.bench, through_both);
     const List in_a = list_of(trace, 0, "A"), in_b = list_of(trace, 0, "B"),

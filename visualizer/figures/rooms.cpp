@@ -54,7 +54,9 @@ Svg recursion_level_3(const Subject& subject) {
     const Pixel eye = sheet(trace.eye);
     svg.dot(eye, 9, black);
     svg.text({eye.x, eye.y + 28}, "eye", {21, black, true});
-    svg.text({500, 686}, "the room from above; max_depth = " + std::to_string(trace.max_depth), {20});
+    svg.text({500, 686},
+             "seen from above; level 2 ends on the floor; max_depth = " + std::to_string(trace.max_depth),
+             {20});
     return svg;
 }
 
