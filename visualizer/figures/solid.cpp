@@ -1,0 +1,94 @@
+#include "visualizer/figures/solid.hpp"
+
+#include "visualizer/drawing/raster.hpp"
+#include "visualizer/drawing/surfaces.hpp"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rayscope::figures {
+namespace {
+
+using drawing::Region;
+
+std::vector<Vec3d> points_of(const Stand& stand) {
+    if (!stand.seen.empty()) return stand.seen;
+    std::vector<Vec3d> points;
+    const Vec3d back = normalized(stand.back), right = normalized(cross(stand.up, back)),
+                up = cross(back, right);
+    for (const Vec3d& d : {right, -right, up, -up}) points.push_back(stand.centre + d * stand.radius);
+    return points;
+}
+
+drawing::Surfaces surfaces_of(const Workbench& bench, const Region& region) {
+    drawing::Surfaces surfaces;
+    constexpr int around = 128;
+    for (std::size_t i = 0; i < bench.scene.drawn.size(); ++i) {
+        const auto& drawn = bench.scene.drawn[i];
+        const bool flat = !drawn.is_compound && !bench.world.objects[i].bounds.bounded();
+        surfaces.shown.push_back({i, "", true, false, flat, false,
+                                  drawing::object_surface(bench.scene, i, {around, false}, region)});
+    }
+    return surfaces;
+}
+
+void make_opaque(vtkPolyData* faces) {
+    auto* colours = vtkUnsignedCharArray::SafeDownCast(faces->GetPointData()->GetScalars());
+    if (colours == nullptr) return;
+    for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i) colours->SetTypedComponent(i, 3, 255);
+}
+
+} // namespace
+
+Solid::Solid(Svg& svg, const drawing::Area& area, const Workbench& bench, const Stand& stand)
+    : region_{stand.centre, stand.radius, {}},
+      view_(region_, area, normalized(stand.back), stand.up, points_of(stand), stand.share) {
+    const drawing::PictureSize size{int(area.width * stand.detail), int(area.height * stand.detail)};
+    const drawing::View camera(region_, {0, 0, double(size.width), double(size.height)},
+                               normalized(stand.back), stand.up, points_of(stand), stand.share);
+    const drawing::PaintedSurfaces painted =
+        drawing::paint_surfaces(surfaces_of(bench, region_), bench.scene, camera);
+    if (stand.opaque) make_opaque(painted.faces);
+    const drawing::Raster raster =
+        drawing::rasterize(size, camera, painted, drawing::Mesh(), {}, stand.detail);
+    svg.image(area, png_of(raster.width, raster.height, raster.bytes));
+}
+
+Pixel Solid::operator()(const Vec3d& world) const { return view_.pixel(view_.to_view(world)).value(); }
+Pixel Solid::operator()(const Vec3d& world, double x, double y) const {
+    const Pixel p = (*this)(world);
+    return {p.x + x, p.y + y};
+}
+
+std::vector<std::uint8_t> png_of(int width, int height, const std::vector<std::uint8_t>& rgb) {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(width, height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    const std::size_t row = std::size_t(width) * 3;
+    for (int y = 0; y < height; ++y) // VTK's images start at the lower left
+        std::copy_n(rgb.data() + std::size_t(height - 1 - y) * row, row,
+                    static_cast<std::uint8_t*>(image->GetScalarPointer(0, y, 0)));
+    vtkNew<vtkPNGWriter> writer;
+    writer->WriteToMemoryOn();
+    writer->SetCompressionLevel(9);
+    writer->SetInputData(image);
+    writer->Write();
+    vtkUnsignedCharArray* bytes = writer->GetResult();
+    return {bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues()};
+}
+
+std::vector<std::uint8_t> png_of(const Image& image) {
+    std::vector<std::uint8_t> bytes;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (const std::uint8_t byte : srgb_bytes(image.at(x, y))) bytes.push_back(byte);
+    return png_of(image.width, image.height, bytes);
+}
+
+} // namespace rayscope::figures
