@@ -10,7 +10,7 @@ from pathlib import Path
 from posixpath import normpath
 from urllib.parse import unquote
 
-from syntax import markdown_to_tree, plain_text, walk
+from syntax import markdown_to_blocks, plain_text, walk
 
 PICTURES = {".png", ".svg", ".jpg", ".jpeg", ".gif", ".webp"}
 LONGEST_LISTING = 200_000  # bytes; what is longer is copied, not shown
@@ -19,7 +19,7 @@ LONGEST_LISTING = 200_000  # bytes; what is longer is copied, not shown
 @dataclass
 class Page:
     source: str  # path in the checkout
-    tree: dict = field(repr=False)
+    blocks: list = field(repr=False)
     title: str = ""
     in_order: bool = False  # reached by next and previous
 
@@ -34,7 +34,8 @@ class Book:
     copies: set = field(default_factory=set)
 
     def __post_init__(self):
-        for source in self.order():
+        self.in_order = self.order()
+        for source in self.in_order:
             self.add_page(source, True)
         if "chapters/README.md" not in self.pages:
             self.pages = {"chapters/README.md": self.own_contents(), **self.pages}
@@ -51,15 +52,15 @@ class Book:
         """A start page where the chapters bring none."""
         lines = ["# rayscope", "", "What one ray does: the lessons, the errata, the glossary, and the reference.", ""]
         lines += [f"- [{page.title}]({os.path.relpath(page.source, 'chapters')})" for page in self.pages.values() if page.in_order]
-        return Page("chapters/README.md", markdown_to_tree("\n".join(lines)), "rayscope", True)
+        return Page("chapters/README.md", markdown_to_blocks("\n".join(lines)), "rayscope", True)
 
     def add_page(self, source, in_order=False):
-        tree = markdown_to_tree((self.checkout / source).read_text(encoding="utf-8"))
-        page = self.pages[source] = Page(source, tree, source, in_order)
-        headers = [node["c"] for node in walk(tree["blocks"]) if node["t"] == "Header"]
+        blocks = markdown_to_blocks((self.checkout / source).read_text(encoding="utf-8"))
+        page = self.pages[source] = Page(source, blocks, source, in_order)
+        headers = [node["c"] for node in blocks if node["t"] == "Header"]
         if headers:
             page.title = plain_text(headers[0][2])
-        for node in walk(tree["blocks"]):
+        for node in walk(blocks):
             if node["t"] in ("Link", "Image"):
                 self.reach(source, node["c"][2][0])
 
@@ -71,7 +72,7 @@ class Book:
         file = self.checkout / path
         if path.startswith("..") or not file.exists():
             raise ValueError(f"{source}: the link to {address} leads nowhere")
-        if path in self.order():
+        if path in self.in_order:
             return  # its turn comes
         if file.is_dir():
             self.add_folder(path)

@@ -1,6 +1,5 @@
 """The PDF: all pages of the book proper as one, printed by Chromium, which can set MathML."""
 import base64
-import copy
 import html
 import mimetypes
 import subprocess
@@ -9,7 +8,7 @@ from pathlib import Path
 
 from pages import resolved
 from rays import command_of
-from syntax import raw, tree_to_html, walk
+from syntax import blocks_to_html, copy_of, raw, walk
 
 HERE = Path(__file__).resolve().parent
 CHROMIUM = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
@@ -21,9 +20,10 @@ def write_pdf(book, target):
     order = [page for page in book.pages.values() if page.in_order]
     numbers = {page.source: number for number, page in enumerate(order)}
     style = (HERE / "book.css").read_text(encoding="utf-8")
-    lines = [f'<li><a href="#p{numbers[page.source]}">{html.escape(page.title)}</a></li>' for page in order[1:]]
-    parts = [f'<section id="p{number}">{tree_to_html(paper_tree(book, page, numbers))}</section>' for number, page in enumerate(order)]
-    parts.insert(1, f'<section class="list"><h1>Contents</h1><ol>{"".join(lines)}</ol></section>')
+    lines = [f'<li><a href="#p{numbers[page.source]}">{html.escape(page.title)}</a></li>' for page in order]
+    parts = [f'<section><h1>rayscope</h1><p>What one ray does</p><ul class="list">{"".join(lines)}</ul></section>']
+    bodies = blocks_to_html([paper_blocks(book, page, numbers) for page in order])
+    parts += [f'<section id="p{number}">{body}</section>' for number, body in enumerate(bodies)]
     text = (f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>rayscope</title><style>{style}</style></head>'
             f'<body class="paper"><main>{"".join(parts)}</main></body></html>')
     with tempfile.TemporaryDirectory(prefix="rayscope-book-") as folder:
@@ -35,11 +35,11 @@ def write_pdf(book, target):
         raise ValueError("chromium printed no PDF")
 
 
-def paper_tree(book, page, numbers):
+def paper_blocks(book, page, numbers):
     """Links lead within the paper, or are set as text; pictures are part of the file; rays are commands."""
-    tree = copy.deepcopy(page.tree)
+    blocks = copy_of(page.blocks)
     prefix = f"p{numbers[page.source]}"
-    for node in walk(tree["blocks"]):
+    for node in walk(blocks):
         kind = node["t"]
         if kind == "Header":
             node["c"][1][0] = f"{prefix}-{node['c'][1][0]}"
@@ -59,4 +59,4 @@ def paper_tree(book, page, numbers):
         elif command_of(node):
             command = html.escape("./rayscope step " + " ".join(command_of(node)))
             node["c"] = raw(f'<p class="ray">Walk through this ray: <code>{command}</code></p>')["c"]
-    return tree
+    return blocks

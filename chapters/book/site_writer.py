@@ -1,5 +1,4 @@
 """The site: one file a page, all links relative, so that it can be opened from a folder, a stick or a server."""
-import copy
 import html
 import os
 import shutil
@@ -10,10 +9,12 @@ from posixpath import relpath
 from listings import listing_pages
 from pages import address_in_book, resolved
 from rays import command_of, ray_name, record
-from syntax import plain_text, raw, tree_to_html, walk
+from syntax import blocks_to_html, copy_of, plain_text, raw, walk
 
 HERE = Path(__file__).resolve().parent
 TEMPLATE = string.Template((HERE / "page.html").read_text(encoding="utf-8"))
+
+UNBROKEN = 30  # characters of code that stay on one line, on a phone too
 
 
 def write_site(book, folder, program):
@@ -23,8 +24,8 @@ def write_site(book, folder, program):
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(book.checkout / path, target)
     rays = {}
-    for page in book.pages.values():
-        body = tree_to_html(site_tree(book, page, rays if program else None))
+    bodies = blocks_to_html([site_blocks(book, page, rays if program else None) for page in book.pages.values()])
+    for page, body in zip(book.pages.values(), bodies, strict=True):
         write_page(book, folder, address_in_book(book, page.source), page.title, body, page)
     for path, body in listing_pages(book):
         write_page(book, folder, address_in_book(book, path), path, body)
@@ -33,11 +34,11 @@ def write_site(book, folder, program):
     record(program, book.checkout, folder / "rays", rays)
 
 
-def site_tree(book, page, rays):
+def site_blocks(book, page, rays):
     """The page with its links turned into the site's, and its marked rays embedded. rays: name → words, added to."""
-    tree = copy.deepcopy(page.tree)
+    blocks = copy_of(page.blocks)
     here = address_in_book(book, page.source)
-    for node in walk(tree["blocks"]):
+    for node in walk(blocks):
         if node["t"] in ("Link", "Image"):
             target = node["c"][2]
             path = resolved(page.source, target[0])
@@ -49,7 +50,9 @@ def site_tree(book, page, rays):
         words = command_of(node)
         if words:
             node["c"] = raw(embedded(here, words, rays))["c"]
-    return tree
+        if node["t"] == "Code" and len(node["c"][1]) <= UNBROKEN:
+            node["c"][0][1].append("short")
+    return blocks
 
 
 def embedded(here, words, rays):
@@ -82,7 +85,7 @@ def contents(book, here, page):
         current = ' aria-current="page"' if other is page else ""
         lines.append(f'<li><a href="{link(here, address_in_book(book, other.source))}"{current}>{html.escape(other.title)}</a>')
         if other is page:
-            parts = [node["c"] for node in other.tree["blocks"] if node["t"] == "Header" and node["c"][0] == 2]
+            parts = [node["c"] for node in other.blocks if node["t"] == "Header" and node["c"][0] == 2]
             if parts:
                 items = [f'<li><a href="#{part[1][0]}">{html.escape(plain_text(part[2]))}</a></li>' for part in parts]
                 lines.append(f"<ul>{''.join(items)}</ul>")
