@@ -24,9 +24,9 @@ struct Citation {
 std::vector<Citation> citations_in(const std::string& text, const std::string& where) {
     static const std::regex pattern(
         R"(([A-Z](?![A-Z])[^ ,.;:()0-9\n"'*`]+)(?:,? et al\.)?,?'?s? ?(?:approximation )?\(?((?:19|20)[0-9][0-9])\b)");
-    static const std::set<std::string> not_people = {
-        "January",   "February", "March",    "April",    "May",  "June", "July",      "August",
-        "September", "October",  "November", "December", "Gems", "The"};
+    static const std::set<std::string> not_people = {"January",  "February", "March",  "April",     "May",
+                                                     "June",     "July",     "August", "September", "October",
+                                                     "November", "December", "Gems",   "The"};
     std::vector<Citation> found;
     for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
         if (!not_people.contains((*it)[1])) found.push_back({(*it)[1], (*it)[2], where});
