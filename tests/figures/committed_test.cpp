@@ -31,7 +31,8 @@ std::string vectors_of(std::string svg) {
 bool has_picture(const std::string& svg) { return svg.find("base64,") != std::string::npos; }
 
 void compare(bool with_picture) {
-    for (const Entry& entry : read_catalogue(chapters / "figures.toml")) {
+    for (const Entry& entry :
+         read_catalogue(chapters.parent_path() / "visualizer" / "figures" / "figures.toml")) {
         const std::string kept = content(chapters / entry.file());
         if (has_picture(kept) != with_picture) continue;
         EXPECT_EQ(vectors_of(drawn(entry, chapters)), vectors_of(kept))
@@ -43,7 +44,8 @@ TEST(Committed, FiguresOfLinesAreDrawnAgainAlike) { compare(false); }
 TEST(CommittedFull, FiguresWithPicturesAreDrawnAgainAlike) { compare(true); }
 
 TEST(Committed, AreSmallAndSayWhatTheyShow) {
-    for (const Entry& entry : read_catalogue(chapters / "figures.toml")) {
+    for (const Entry& entry :
+         read_catalogue(chapters.parent_path() / "visualizer" / "figures" / "figures.toml")) {
         const std::string kept = content(chapters / entry.file());
         EXPECT_GT(kept.size(), 500U) << entry.name;
         EXPECT_LE(kept.size(), 250'000U) << entry.name;
@@ -53,7 +55,8 @@ TEST(Committed, AreSmallAndSayWhatTheyShow) {
 }
 
 TEST(Committed, LessonsShowFiguresWithTheirWords) {
-    for (const Entry& entry : read_catalogue(chapters / "figures.toml")) {
+    for (const Entry& entry :
+         read_catalogue(chapters.parent_path() / "visualizer" / "figures" / "figures.toml")) {
         const std::string lesson = content(chapters / entry.chapter / "README.md");
         const std::string link = "](figures/" + entry.name + ".svg)";
         if (lesson.find(link) == std::string::npos) {

@@ -1,5 +1,5 @@
 #pragma once
-// chapters/figures.toml: which figures there are, and the words that belong to each.
+// figures.toml: which figures there are, and the words that belong to each.
 
 #include <filesystem>
 #include <string>
