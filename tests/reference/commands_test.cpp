@@ -41,7 +41,7 @@ std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 /// What answers `--help` for a command that is no word of rayscope itself. The launcher builds nothing for these lines.
 std::string program_of(const Command& command) {
     const fs::path programs = fs::path(RAYSCOPE_PROGRAM).parent_path();
-    if (command.name == "exercises" || command.name == "bench")
+    if (command.name == "exercises" || command.name == "bench" || command.name == "figures")
         return quoted(programs / ("rayscope-" + command.name));
     if (command.name == "book")
         return "COLUMNS=100 python3 -B " + quoted(checkout / "chapters/book/build.py");
@@ -118,7 +118,8 @@ std::string first_difference_of(const std::string& was, const std::string& is) {
 
 TEST(Commands, are_shown_as_the_programs_print_them) {
     ASSERT_GE(commands().size(), 12U) << "the launcher's table could not be read";
-    for (const char* program : {"rayscope-exercises", "rayscope-bench"})
+    for (const char* program :
+         {"rayscope-exercises", "rayscope-bench", "rayscope-figures", "rayscope-window"})
         if (!fs::exists(fs::path(RAYSCOPE_PROGRAM).parent_path() / program))
             GTEST_SKIP() << program << " is not built";
     if (std::system("python3 --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "python3 is missing";
