@@ -33,5 +33,10 @@ Svg two_media(const Subject& subject);
 Svg critical_angle(const Subject& subject);
 Svg prism_path(const Subject& subject);
 Svg projective_rectangles(const Subject& subject);
+Svg coincident_faces(const Subject& subject);
+Svg light_components(const Subject& subject);
+Svg depth_and_weight(const Subject& subject);
+Svg nested_media(const Subject& subject);
+Svg dispersion_path(const Subject& subject);
 
 } // namespace rayscope::figures

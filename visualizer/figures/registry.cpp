@@ -22,6 +22,11 @@ Draw drawer_of(const std::string& name) {
         {"critical_angle", critical_angle},
         {"prism_path", prism_path},
         {"projective_rectangles", projective_rectangles},
+        {"coincident_faces", coincident_faces},
+        {"light_components", light_components},
+        {"depth_and_weight", depth_and_weight},
+        {"nested_media", nested_media},
+        {"dispersion_path", dispersion_path},
     };
     const auto* found = std::find_if(std::begin(drawers), std::end(drawers),
                                      [&](const auto& drawer) { return name == drawer.first; });
