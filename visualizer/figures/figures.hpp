@@ -33,5 +33,8 @@ Svg two_media(const Subject& subject);
 Svg critical_angle(const Subject& subject);
 Svg prism_path(const Subject& subject);
 Svg projective_rectangles(const Subject& subject);
+Svg textbook_and_stable(const Subject& subject);
+Svg energy_ledger(const Subject& subject);
+Svg edge_samples(const Subject& subject);
 
 } // namespace rayscope::figures

@@ -22,6 +22,9 @@ Draw drawer_of(const std::string& name) {
         {"critical_angle", critical_angle},
         {"prism_path", prism_path},
         {"projective_rectangles", projective_rectangles},
+        {"textbook_and_stable", textbook_and_stable},
+        {"energy_ledger", energy_ledger},
+        {"edge_samples", edge_samples},
     };
     const auto* found = std::find_if(std::begin(drawers), std::end(drawers),
                                      [&](const auto& drawer) { return name == drawer.first; });
