@@ -36,5 +36,7 @@ Svg projective_rectangles(const Subject& subject);
 Svg textbook_and_stable(const Subject& subject);
 Svg energy_ledger(const Subject& subject);
 Svg edge_samples(const Subject& subject);
+Svg soft_shadow(const Subject& subject);
+Svg cancellation(const Subject& subject);
 
 } // namespace rayscope::figures
