@@ -38,5 +38,10 @@ Svg light_components(const Subject& subject);
 Svg depth_and_weight(const Subject& subject);
 Svg nested_media(const Subject& subject);
 Svg dispersion_path(const Subject& subject);
+Svg textbook_and_stable(const Subject& subject);
+Svg energy_ledger(const Subject& subject);
+Svg edge_samples(const Subject& subject);
+Svg soft_shadow(const Subject& subject);
+Svg cancellation(const Subject& subject);
 
 } // namespace rayscope::figures

@@ -27,6 +27,11 @@ Draw drawer_of(const std::string& name) {
         {"depth_and_weight", depth_and_weight},
         {"nested_media", nested_media},
         {"dispersion_path", dispersion_path},
+        {"textbook_and_stable", textbook_and_stable},
+        {"energy_ledger", energy_ledger},
+        {"edge_samples", edge_samples},
+        {"soft_shadow", soft_shadow},
+        {"cancellation", cancellation},
     };
     const auto* found = std::find_if(std::begin(drawers), std::end(drawers),
                                      [&](const auto& drawer) { return name == drawer.first; });
