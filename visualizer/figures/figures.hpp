@@ -43,5 +43,6 @@ Svg energy_ledger(const Subject& subject);
 Svg edge_samples(const Subject& subject);
 Svg soft_shadow(const Subject& subject);
 Svg cancellation(const Subject& subject);
+Svg error_against_time(const Subject& subject);
 
 } // namespace rayscope::figures

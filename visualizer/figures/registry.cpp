@@ -32,6 +32,7 @@ Draw drawer_of(const std::string& name) {
         {"edge_samples", edge_samples},
         {"soft_shadow", soft_shadow},
         {"cancellation", cancellation},
+        {"error_against_time", error_against_time},
     };
     const auto* found = std::find_if(std::begin(drawers), std::end(drawers),
                                      [&](const auto& drawer) { return name == drawer.first; });

@@ -1,0 +1,209 @@
+// What accuracy costs, as it was measured: error against time, from the table that is kept with the lesson.
+
+#include "visualizer/figures/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace rayscope::figures {
+namespace {
+
+constexpr drawing::Area plot{110, 84, 860, 446};
+constexpr double letters = 18;
+
+struct Measured {
+    std::string name, scalar;
+    bool textbook = false, on_front = false;
+    double milliseconds = 0, error = 0;
+};
+
+double number_in(const std::map<std::string, std::string>& row, const std::string& column) {
+    const std::string& text = row.at(column);
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+/// The first row is the scene's own configuration; each other one is named by what differs from it.
+std::vector<Measured> read_cost(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::vector<std::string> columns;
+    std::vector<std::map<std::string, std::string>> rows;
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream cells(line);
+        std::map<std::string, std::string> row;
+        std::size_t i = 0;
+        for (std::string cell; std::getline(cells, cell, ','); ++i)
+            if (rows.empty() && columns.size() == i && line.starts_with("scalar"))
+                columns.push_back(cell);
+            else if (i < columns.size())
+                row[columns[i]] = cell;
+        if (!row.empty()) rows.push_back(row);
+    }
+    std::vector<Measured> all;
+    for (const auto& row : rows) {
+        const auto& own = rows.front();
+        if (row.size() != columns.size())
+            throw InputError(path.string(), {}, "expected a cell for each column in each line");
+        std::string name = row.at("scalar") + (row.at("method") == "textbook" ? " textbook" : " stable");
+        if (row.at("max_depth") != own.at("max_depth")) name = "depth " + row.at("max_depth");
+        if (row.at("min_weight") != own.at("min_weight")) name = "weight " + row.at("min_weight");
+        if (all.empty()) name = "the scene's own";
+        all.push_back({name, row.at("scalar"), row.at("method") == "textbook", row.at("on_front") == "1",
+                       1000 * number_in(row, "seconds_median"), number_in(row, "relative_rmse")});
+    }
+    if (all.empty()) throw InputError(path.string(), {}, "expected a table of measurements");
+    return all;
+}
+
+struct Scale {
+    double low, high; // decades
+    [[nodiscard]] double share(double value) const { return (std::log10(value) - low) / (high - low); }
+};
+
+Rgb colour_of(const std::string& scalar) {
+    if (scalar.empty()) return black;
+    if (scalar == "float") return blue;
+    if (scalar == "double") return vermilion;
+    return scalar == "long double" ? green : Rgb{0xAA, 0x3C, 0x84};
+}
+
+void draw_mark(Svg& svg, Pixel p, const std::string& scalar, bool textbook) {
+    if (textbook)
+        svg.area({{p.x, p.y - 9}, {p.x + 9, p.y}, {p.x, p.y + 9}, {p.x - 9, p.y}}, {colour_of(scalar)});
+    else
+        svg.dot(p, 8, colour_of(scalar));
+}
+
+/// Each name stands where nothing else does: beside its mark, or above or below it at the end of a thin line.
+class Names {
+public:
+    explicit Names(const std::vector<Pixel>& marks) {
+        for (const Pixel& p : marks) taken_.push_back({p.x - 10, p.y - 10, 20, 20});
+    }
+    void place(Svg& svg, Pixel mark, const Measured& point) {
+        const double width = 0.61 * letters * double(point.name.size()) + 8, height = letters + 6;
+        std::vector<drawing::Area> candidates{{mark.x + 12, mark.y - height / 2, width, height},
+                                              {mark.x - 12 - width, mark.y - height / 2, width, height}};
+        for (double away = 34; away < 330; away += height + 2)
+            for (const double side : {-1.0, 1.0})
+                for (const double before : {4.0, width - 4})
+                    candidates.push_back({mark.x - before, mark.y + side * away - height / 2, width, height});
+        const auto free = [&](const drawing::Area& area) {
+            return area.x > plot.x + 4 && area.right() < plot.right() + 24 && area.y > plot.y &&
+                   area.bottom() < plot.bottom() - 4 &&
+                   std::none_of(
+                       taken_.begin(), taken_.end(), [&](const auto& t) { return t.overlaps(area); });
+        };
+        const auto lead_of = [&](const drawing::Area& area) { // a thin line, straight up or down
+            const double end = area.y > mark.y ? area.y : area.bottom(),
+                         begin = mark.y + (end > mark.y ? 10 : -10);
+            return drawing::Area{mark.x - 2, std::min(begin, end), 4, std::abs(end - begin)};
+        };
+        const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const drawing::Area& area) {
+            if (!free(area)) return false;
+            if (&area - candidates.data() < 2) return true;
+            return std::none_of(taken_.begin(), taken_.end(), [&](const auto& t) {
+                const bool beside = std::abs(t.y + t.height / 2 - mark.y) < 4; // marks of the same error
+                return !beside && t.overlaps(lead_of(area));
+            });
+        });
+        if (found == candidates.end()) throw InputError("figures", {}, "no place for " + point.name);
+        taken_.push_back(*found);
+        const Pixel middle{found->x + found->width / 2, found->y + height / 2};
+        if (found - candidates.begin() >= 2) {
+            const drawing::Area lead = lead_of(*found);
+            svg.line({mark.x, lead.y}, {mark.x, lead.bottom()}, {grey, 1.2});
+            taken_.push_back(lead);
+        }
+        words_.push_back({middle, point.name, colour_of(point.scalar), point.on_front});
+    }
+    void write(Svg& svg) const {
+        for (const Word& word : words_) svg.text(word.at, word.text, {letters, word.colour, word.bold});
+    }
+
+private:
+    struct Word {
+        Pixel at;
+        std::string text;
+        Rgb colour;
+        bool bold;
+    };
+    std::vector<drawing::Area> taken_;
+    std::vector<Word> words_;
+};
+
+} // namespace
+
+Svg error_against_time(const Subject& subject) {
+    Svg svg(1000, 620);
+    std::vector<Measured> all = read_cost(subject.chapters / "07_accuracy" / "cost.csv");
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        return std::pair(std::lround(a.error * 100), -a.milliseconds) <
+               std::pair(std::lround(b.error * 100), -b.milliseconds);
+    });
+    Scale time{1e9, -1e9}, error{std::log10(0.02), std::log10(0.5)};
+    for (const Measured& point : all) {
+        time.low = std::min(time.low, std::log10(point.milliseconds) - 0.1);
+        time.high = std::max(time.high, std::log10(point.milliseconds) + 0.25);
+    }
+    const auto at = [&](double milliseconds, double wrong) {
+        return Pixel{plot.x + plot.width * time.share(milliseconds),
+                     plot.bottom() - plot.height * error.share(wrong)};
+    };
+    for (const double tick : {0.02, 0.05, 0.1, 0.2, 0.5}) {
+        const double y = at(1, tick).y;
+        svg.line({plot.x, y}, {plot.right(), y}, {pale, 1.2});
+        svg.text({plot.x - 12, y}, fmt::format("{:g}", tick), {letters, black, false, Anchor::end});
+    }
+    for (const double tick : {5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0}) {
+        const double x = at(tick, 1).x;
+        if (x < plot.x || x > plot.right()) continue;
+        svg.line({x, plot.bottom()}, {x, plot.bottom() + 8}, {black, 2});
+        svg.text({x, plot.bottom() + 26}, fmt::format("{:g}", tick), {letters});
+    }
+    svg.line({plot.x, plot.bottom()}, {plot.right(), plot.bottom()}, {black, 2});
+    svg.line({plot.x, plot.y}, {plot.x, plot.bottom()}, {black, 2});
+    svg.text({20, 34}, "relative error of the image", {20, black, true, Anchor::start});
+    svg.text({plot.x + plot.width / 2, plot.bottom() + 60}, "processor time of the image in ms",
+             {20, black, true});
+    std::vector<Pixel> front, marks;
+    for (const Measured& point : all) {
+        marks.push_back(at(point.milliseconds, point.error));
+        if (point.on_front) front.push_back(marks.back());
+    }
+    std::sort(front.begin(), front.end(), [](Pixel a, Pixel b) { return a.x < b.x; });
+    svg.path(front, {black, 2.5});
+    Names names(marks);
+    for (std::size_t i = 0; i < all.size();) { // marks over each other share a name
+        Measured group = all[i];
+        std::size_t next = i + 1;
+        for (; next < all.size() && std::abs(marks[next].x - marks[i].x) < 12 &&
+               std::abs(marks[next].y - marks[i].y) < 6;
+             ++next) {
+            group.name += ", " + all[next].name;
+            group.on_front = group.on_front && all[next].on_front;
+            if (all[next].scalar != group.scalar) group.scalar.clear();
+        }
+        names.place(svg, marks[i], group);
+        i = next;
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) draw_mark(svg, marks[i], all[i].scalar, all[i].textbook);
+    names.write(svg);
+    draw_mark(svg, {430, 34}, "double", false);
+    svg.text({446, 34}, "stable", {letters, black, false, Anchor::start});
+    draw_mark(svg, {540, 34}, "double", true);
+    svg.text({556, 34}, "textbook", {letters, black, false, Anchor::start});
+    svg.line({680, 34}, {720, 34}, {black, 2.5});
+    svg.text({730, 34}, "front: no other is", {letters, black, true, Anchor::start});
+    svg.text({730, 58}, "quicker and better", {letters, black, true, Anchor::start});
+    return svg;
+}
+
+} // namespace rayscope::figures
