@@ -33,5 +33,9 @@ Svg two_media(const Subject& subject);
 Svg critical_angle(const Subject& subject);
 Svg prism_path(const Subject& subject);
 Svg projective_rectangles(const Subject& subject);
+Svg near_plane_trap(const Subject& subject);
+Svg light_cells(const Subject& subject);
+Svg octree_walk(const Subject& subject);
+Svg time_against_n(const Subject& subject);
 
 } // namespace rayscope::figures

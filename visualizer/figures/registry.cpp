@@ -22,6 +22,10 @@ Draw drawer_of(const std::string& name) {
         {"critical_angle", critical_angle},
         {"prism_path", prism_path},
         {"projective_rectangles", projective_rectangles},
+        {"near_plane_trap", near_plane_trap},
+        {"light_cells", light_cells},
+        {"octree_walk", octree_walk},
+        {"time_against_n", time_against_n},
     };
     const auto* found = std::find_if(std::begin(drawers), std::end(drawers),
                                      [&](const auto& drawer) { return name == drawer.first; });
