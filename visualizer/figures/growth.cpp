@@ -17,7 +17,8 @@ struct Measured {
     double objects = 0, nanoseconds = 0;
 };
 
-/// growth.csv: stage,rays,objects,nanoseconds, after one line of heads.
+/// growth.csv: stage,rays,objects,nanoseconds, after one line of heads. Its rows are taken from the stages.csv that
+/// `rayscope bench stages --scenes cloud` writes: of each stage the rays that it is there for.
 std::vector<Measured> read_measured(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::string line;

@@ -9,7 +9,7 @@
 namespace rayscope::figures {
 namespace {
 
-const Box<double> beside{{1, 1, -4}, {2, 2, 1}};
+const Box<double> the_box{{1, 1, -4}, {2, 2, 1}};
 
 /// The box alone, before an eye in the origin that looks along −z.
 Workbench box_beside_the_eye() {
@@ -20,8 +20,8 @@ Workbench box_beside_the_eye() {
     box.shape = Cube<double>{};
     box.material = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        box.matrix[axis][axis] = (beside.high[axis] - beside.low[axis]) / 2;
-        box.matrix[3][axis] = (beside.high[axis] + beside.low[axis]) / 2;
+        box.matrix[axis][axis] = (the_box.high[axis] - the_box.low[axis]) / 2;
+        box.matrix[3][axis] = (the_box.high[axis] + the_box.low[axis]) / 2;
     }
     scene.generics.push_back(std::move(box));
     scene.drawn.push_back({false, 0});
@@ -47,12 +47,12 @@ Svg near_plane_trap(const Subject& /*subject*/) {
         return sheet(Vec3d{x, 0, z}, dx, dy);
     };
     const auto part = [&](double from, double to) {
-        return std::vector<Pixel>{at(beside.low.x, from), at(beside.high.x, from), at(beside.high.x, to),
-                                  at(beside.low.x, to)};
+        return std::vector<Pixel>{at(the_box.low.x, from), at(the_box.high.x, from), at(the_box.high.x, to),
+                                  at(the_box.low.x, to)};
     };
-    svg.area(part(beside.low.z, 0), {sky_blue, 0.55});
-    svg.area(part(0, beside.high.z), {orange, 0.45});
-    auto outline = part(beside.low.z, beside.high.z);
+    svg.area(part(the_box.low.z, 0), {sky_blue, 0.55});
+    svg.area(part(0, the_box.high.z), {orange, 0.45});
+    auto outline = part(the_box.low.z, the_box.high.z);
     outline.push_back(outline.front());
     svg.path(outline, {black, 2.5});
     svg.line(at(-3.8, 0), at(4.9, 0), {grey, 1.5, "3 5"});
@@ -65,14 +65,14 @@ Svg near_plane_trap(const Subject& /*subject*/) {
         if (slope != 0 && slope != 1 && slope != 2) svg.text(at(slope, -1, 0, 22), digits(slope), {18, grey});
     }
     svg.text(at(-3.8, -1, 0, -20), "screen, z = −1", {20, black, true, Anchor::start});
-    for (const double x : {beside.low.x, beside.high.x}) {
-        const double front = x / -beside.low.z, rear = x / -beside.high.z;
-        svg.line(at(0, 0), at(x, beside.low.z), {blue, 2});
-        svg.line(at(x, beside.high.z), at(rear, -1), {vermilion, 2, "9 6"});
+    for (const double x : {the_box.low.x, the_box.high.x}) {
+        const double front = x / -the_box.low.z, rear = x / -the_box.high.z;
+        svg.line(at(0, 0), at(x, the_box.low.z), {blue, 2});
+        svg.line(at(x, the_box.high.z), at(rear, -1), {vermilion, 2, "9 6"});
         svg.dot(at(front, -1), 7, blue);
         svg.dot(at(rear, -1), 8, vermilion);
-        svg.dot(at(x, beside.low.z), 6, blue);
-        svg.dot(at(x, beside.high.z), 6, vermilion);
+        svg.dot(at(x, the_box.low.z), 6, blue);
+        svg.dot(at(x, the_box.high.z), 6, vermilion);
     }
     const Workbench bench = box_beside_the_eye();
     const Vec3d inside{1.5, 1.5, -1};
@@ -80,8 +80,8 @@ Svg near_plane_trap(const Subject& /*subject*/) {
     svg.dot(at(inside.x, inside.z), 8, green);
     svg.text(at(inside.x, inside.z, 0, -24), "seen", {20, green, true});
     svg.text(at(1.34, -3.5), "box", {22, black, true});
-    svg.text(at(2.1, beside.high.z), "corners at z = 1", {20, vermilion, true, Anchor::start});
-    svg.text(at(2.1, beside.low.z), "corners at z = −4", {20, blue, true, Anchor::start});
+    svg.text(at(2.1, the_box.high.z), "corners at z = 1", {20, vermilion, true, Anchor::start});
+    svg.text(at(2.1, the_box.low.z), "corners at z = −4", {20, blue, true, Anchor::start});
     svg.dot(at(0, 0), 10, black);
     svg.text(at(0, 0, -16, 24), "eye", {22, black, true, Anchor::end});
     svg.text(at(-3.8, -3.9), "Seen from above.", {20, black, true, Anchor::start});
@@ -89,12 +89,12 @@ Svg near_plane_trap(const Subject& /*subject*/) {
 
     // The same slopes again, as bars.
     const double near = 0.1;
-    const std::array bars{Bar{beside.high.x / -beside.high.z,
-                              beside.high.x / -beside.low.z,
+    const std::array bars{Bar{the_box.high.x / -the_box.high.z,
+                              the_box.high.x / -the_box.low.z,
                               {vermilion, 12},
                               "all corners projected"},
-                          Bar{beside.low.x / -beside.low.z,
-                              beside.high.x / near,
+                          Bar{the_box.low.x / -the_box.low.z,
+                              the_box.high.x / near,
                               {green, 12},
                               "clipped at z = −" + digits(near) + " first"}};
     double y = 690;
