@@ -44,5 +44,9 @@ Svg edge_samples(const Subject& subject);
 Svg soft_shadow(const Subject& subject);
 Svg cancellation(const Subject& subject);
 Svg error_against_time(const Subject& subject);
+Svg near_plane_trap(const Subject& subject);
+Svg light_cells(const Subject& subject);
+Svg octree_walk(const Subject& subject);
+Svg time_against_n(const Subject& subject);
 
 } // namespace rayscope::figures

@@ -33,6 +33,10 @@ Draw drawer_of(const std::string& name) {
         {"soft_shadow", soft_shadow},
         {"cancellation", cancellation},
         {"error_against_time", error_against_time},
+        {"near_plane_trap", near_plane_trap},
+        {"light_cells", light_cells},
+        {"octree_walk", octree_walk},
+        {"time_against_n", time_against_n},
     };
     const auto* found = std::find_if(std::begin(drawers), std::end(drawers),
                                      [&](const auto& drawer) { return name == drawer.first; });
