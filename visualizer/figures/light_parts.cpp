@@ -5,6 +5,7 @@
 #include "visualizer/figures/solid.hpp"
 
 #include <array>
+#include <numeric>
 
 namespace rayscope::figures {
 namespace {
@@ -53,7 +54,11 @@ Svg light_components(const Subject& subject) {
             const Trace trace = trace_pixel(subject.bench, x, y, width, height);
             const auto light = parts_of(trace);
             for (std::size_t i = 0; i < parts; ++i) images[i].set(x, y, light[i]);
-            sum.set(x, y, trace.colour);
+            const Colour all = std::accumulate(light.begin(), light.end(), Colour{0});
+            if (largest_component(glm::abs(all - trace.colour)) > 1e-9)
+                throw InputError(subject.bench.scene.file, {},
+                                 "a pixel has light that is none of the five parts");
+            sum.set(x, y, all);
         }
     struct Place {
         const Image& image;

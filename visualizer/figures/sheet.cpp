@@ -19,6 +19,14 @@ Workbench apart(const Scene& scene, const std::vector<std::string>& generics) {
     return make_workbench(std::move(changed));
 }
 
+std::size_t drawn_called(const Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.drawn.size(); ++i) {
+        const auto [is_compound, index] = scene.drawn[i];
+        if ((is_compound ? scene.compounds[index].name : scene.generics[index].name) == name) return i;
+    }
+    throw InputError(scene.file, {}, "a figure asks for '" + name + "', which is not drawn");
+}
+
 List list_of(const Workbench& bench, const Ray<double>& ray, std::size_t drawn) {
     List list;
     const auto all = spans(bench, ray);

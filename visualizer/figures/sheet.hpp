@@ -28,6 +28,9 @@ using List = std::vector<std::pair<double, double>>;
 /// The scene with these of its generics drawn in place of what it draws, in this order.
 [[nodiscard]] Workbench apart(const Scene& scene, const std::vector<std::string>& generics);
 
+/// Which of the scene's drawn objects has this name. Throws InputError where none has.
+[[nodiscard]] std::size_t drawn_called(const Scene& scene, const std::string& name);
+
 /// The inside list of a drawn object on the line of a ray.
 [[nodiscard]] List list_of(const Workbench& bench, const Ray<double>& ray, std::size_t drawn = 0);
 
