@@ -14,8 +14,8 @@
 namespace rayscope::figures {
 namespace {
 
-constexpr drawing::Area plot{110, 84, 860, 446};
-constexpr double letters = 18;
+constexpr drawing::Area cost_plot{110, 84, 860, 446};
+constexpr double letter_size = 18;
 
 struct Measured {
     std::string name, scalar;
@@ -62,12 +62,12 @@ std::vector<Measured> read_cost(const std::filesystem::path& path) {
     return all;
 }
 
-struct Scale {
+struct LogScale {
     double low, high; // decades
     [[nodiscard]] double share(double value) const { return (std::log10(value) - low) / (high - low); }
 };
 
-Rgb colour_of(const std::string& scalar) {
+Rgb scalar_colour(const std::string& scalar) {
     if (scalar.empty()) return black;
     if (scalar == "float") return blue;
     if (scalar == "double") return vermilion;
@@ -76,19 +76,19 @@ Rgb colour_of(const std::string& scalar) {
 
 void draw_mark(Svg& svg, Pixel p, const std::string& scalar, bool textbook) {
     if (textbook)
-        svg.area({{p.x, p.y - 9}, {p.x + 9, p.y}, {p.x, p.y + 9}, {p.x - 9, p.y}}, {colour_of(scalar)});
+        svg.area({{p.x, p.y - 9}, {p.x + 9, p.y}, {p.x, p.y + 9}, {p.x - 9, p.y}}, {scalar_colour(scalar)});
     else
-        svg.dot(p, 8, colour_of(scalar));
+        svg.dot(p, 8, scalar_colour(scalar));
 }
 
 /// Each name stands where nothing else does: beside its mark, or above or below it at the end of a thin line.
-class Names {
+class PlacedNames {
 public:
-    explicit Names(const std::vector<Pixel>& marks) {
+    explicit PlacedNames(const std::vector<Pixel>& marks) {
         for (const Pixel& p : marks) taken_.push_back({p.x - 10, p.y - 10, 20, 20});
     }
     void place(Svg& svg, Pixel mark, const Measured& point) {
-        const double width = 0.61 * letters * double(point.name.size()) + 8, height = letters + 6;
+        const double width = 0.61 * letter_size * double(point.name.size()) + 8, height = letter_size + 6;
         std::vector<drawing::Area> candidates{{mark.x + 12, mark.y - height / 2, width, height},
                                               {mark.x - 12 - width, mark.y - height / 2, width, height}};
         for (double away = 34; away < 330; away += height + 2)
@@ -96,8 +96,8 @@ public:
                 for (const double before : {4.0, width - 4})
                     candidates.push_back({mark.x - before, mark.y + side * away - height / 2, width, height});
         const auto free = [&](const drawing::Area& area) {
-            return area.x > plot.x + 4 && area.right() < plot.right() + 24 && area.y > plot.y &&
-                   area.bottom() < plot.bottom() - 4 &&
+            return area.x > cost_plot.x + 4 && area.right() < cost_plot.right() + 24 &&
+                   area.y > cost_plot.y && area.bottom() < cost_plot.bottom() - 4 &&
                    std::none_of(
                        taken_.begin(), taken_.end(), [&](const auto& t) { return t.overlaps(area); });
         };
@@ -122,10 +122,10 @@ public:
             svg.line({mark.x, lead.y}, {mark.x, lead.bottom()}, {grey, 1.2});
             taken_.push_back(lead);
         }
-        words_.push_back({middle, point.name, colour_of(point.scalar), point.on_front});
+        words_.push_back({middle, point.name, scalar_colour(point.scalar), point.on_front});
     }
     void write(Svg& svg) const {
-        for (const Word& word : words_) svg.text(word.at, word.text, {letters, word.colour, word.bold});
+        for (const Word& word : words_) svg.text(word.at, word.text, {letter_size, word.colour, word.bold});
     }
 
 private:
@@ -148,31 +148,31 @@ Svg error_against_time(const Subject& subject) {
         return std::pair(std::lround(a.error * 100), -a.milliseconds) <
                std::pair(std::lround(b.error * 100), -b.milliseconds);
     });
-    Scale time{1e9, -1e9}, error{std::log10(0.02), std::log10(0.5)};
+    LogScale time{1e9, -1e9}, error{std::log10(0.02), std::log10(0.5)};
     for (const Measured& point : all) {
         time.low = std::min(time.low, std::log10(point.milliseconds) - 0.1);
         time.high = std::max(time.high, std::log10(point.milliseconds) + 0.25);
     }
     const auto at = [&](double milliseconds, double wrong) {
-        return Pixel{plot.x + plot.width * time.share(milliseconds),
-                     plot.bottom() - plot.height * error.share(wrong)};
+        return Pixel{cost_plot.x + cost_plot.width * time.share(milliseconds),
+                     cost_plot.bottom() - cost_plot.height * error.share(wrong)};
     };
     for (const double tick : {0.02, 0.05, 0.1, 0.2, 0.5}) {
         const double y = at(1, tick).y;
-        svg.line({plot.x, y}, {plot.right(), y}, {pale, 1.2});
-        svg.text({plot.x - 12, y}, fmt::format("{:g}", tick), {letters, black, false, Anchor::end});
+        svg.line({cost_plot.x, y}, {cost_plot.right(), y}, {pale, 1.2});
+        svg.text({cost_plot.x - 12, y}, fmt::format("{:g}", tick), {letter_size, black, false, Anchor::end});
     }
     for (const double tick : {5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0}) {
         const double x = at(tick, 1).x;
-        if (x < plot.x || x > plot.right()) continue;
-        svg.line({x, plot.bottom()}, {x, plot.bottom() + 8}, {black, 2});
-        svg.text({x, plot.bottom() + 26}, fmt::format("{:g}", tick), {letters});
+        if (x < cost_plot.x || x > cost_plot.right()) continue;
+        svg.line({x, cost_plot.bottom()}, {x, cost_plot.bottom() + 8}, {black, 2});
+        svg.text({x, cost_plot.bottom() + 26}, fmt::format("{:g}", tick), {letter_size});
     }
-    svg.line({plot.x, plot.bottom()}, {plot.right(), plot.bottom()}, {black, 2});
-    svg.line({plot.x, plot.y}, {plot.x, plot.bottom()}, {black, 2});
+    svg.line({cost_plot.x, cost_plot.bottom()}, {cost_plot.right(), cost_plot.bottom()}, {black, 2});
+    svg.line({cost_plot.x, cost_plot.y}, {cost_plot.x, cost_plot.bottom()}, {black, 2});
     svg.text({20, 34}, "relative error of the image", {20, black, true, Anchor::start});
-    svg.text({plot.x + plot.width / 2, plot.bottom() + 60}, "processor time of the image in ms",
-             {20, black, true});
+    svg.text({cost_plot.x + cost_plot.width / 2, cost_plot.bottom() + 60},
+             "processor time of the image in ms", {20, black, true});
     std::vector<Pixel> front, marks;
     for (const Measured& point : all) {
         marks.push_back(at(point.milliseconds, point.error));
@@ -180,7 +180,7 @@ Svg error_against_time(const Subject& subject) {
     }
     std::sort(front.begin(), front.end(), [](Pixel a, Pixel b) { return a.x < b.x; });
     svg.path(front, {black, 2.5});
-    Names names(marks);
+    PlacedNames names(marks);
     for (std::size_t i = 0; i < all.size();) { // marks over each other share a name
         Measured group = all[i];
         std::size_t next = i + 1;
@@ -197,12 +197,12 @@ Svg error_against_time(const Subject& subject) {
     for (std::size_t i = 0; i < all.size(); ++i) draw_mark(svg, marks[i], all[i].scalar, all[i].textbook);
     names.write(svg);
     draw_mark(svg, {430, 34}, "double", false);
-    svg.text({446, 34}, "stable", {letters, black, false, Anchor::start});
+    svg.text({446, 34}, "stable", {letter_size, black, false, Anchor::start});
     draw_mark(svg, {540, 34}, "double", true);
-    svg.text({556, 34}, "textbook", {letters, black, false, Anchor::start});
+    svg.text({556, 34}, "textbook", {letter_size, black, false, Anchor::start});
     svg.line({680, 34}, {720, 34}, {black, 2.5});
-    svg.text({730, 34}, "front: no other is", {letters, black, true, Anchor::start});
-    svg.text({730, 58}, "quicker and better", {letters, black, true, Anchor::start});
+    svg.text({730, 34}, "front: no other is", {letter_size, black, true, Anchor::start});
+    svg.text({730, 58}, "quicker and better", {letter_size, black, true, Anchor::start});
     return svg;
 }
 
