@@ -71,7 +71,7 @@ TEST_P(ShownCommands, AreKnownToTheLauncher) {
     for (const ShownCommand& command : commands_of(GetParam())) {
         const std::string where = GetParam() + ":" + std::to_string(command.line) + ": ";
         const bool known = launcher.find("\n    \"" + command.name() + "|") != std::string::npos;
-        EXPECT_TRUE(known || command.name() == "figures") << where << command.name();
+        EXPECT_TRUE(known) << where << command.name();
         const std::string check = "exercises check ", with = "--with ";
         if (command.text.starts_with(check)) {
             EXPECT_TRUE(is_exercise(command.text.substr(check.size()))) << where << command.text;
