@@ -53,12 +53,12 @@ public:
         radius_.push_back(std::get<Sphere<N>>(ball.shape).radius);
         object_.push_back(object);
     }
-    /// Fills up with balls that no ray meets, until the number of all is one of whole lanes.
+    /// Fills up with points that stand for no object, until the number of all is one of whole lanes. Not with NaN, which
+    /// would do without a name: x87 takes hundreds of cycles for each operation on it.
     void pad() {
         while (x_.size() % lanes != 0) {
-            for (auto* column : {&x_, &y_, &z_, &radius_})
-                column->push_back(T(std::numeric_limits<double>::quiet_NaN()));
-            object_.push_back(0);
+            for (auto* column : {&x_, &y_, &z_, &radius_}) column->push_back(T(0));
+            object_.push_back(no_object);
         }
     }
     [[nodiscard]] std::size_t size() const { return x_.size(); }
@@ -79,12 +79,14 @@ public:
         for (; first < last; first += lanes)
             for (unsigned met = met_of(ray, first); met != 0; met &= met - 1) {
                 const auto i = std::size_t(std::countr_zero(met));
-                if (hit(object_[first + i])) return first + i + 1;
+                if (object_[first + i] != no_object && hit(object_[first + i])) return first + i + 1;
             }
         return last;
     }
 
 private:
+    static constexpr std::uint32_t no_object = ~std::uint32_t(0);
+
     // Bit i: the ray's line meets ball first + i. A function of its own, small enough for the compiler to make vector
     // instructions of it.
     [[gnu::noinline]] unsigned met_of(const BallRay<T>& ray, std::size_t first) const {
