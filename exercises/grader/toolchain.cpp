@@ -59,7 +59,8 @@ std::string compiler_version() {
 /// Waits for its turn; other processes that build the same wait, too.
 class FileLock {
 public:
-    explicit FileLock(const fs::path& path) : file_(::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+    explicit FileLock(const fs::path& path)
+        : file_(::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
         if (file_ >= 0) flock(file_, LOCK_EX);
     }
     ~FileLock() {

@@ -79,12 +79,11 @@ std::optional<std::string> broken_in_core(const std::string& folder, const std::
 }
 
 std::optional<std::string> broken_in_visualizer(const std::string& folder, const std::string& target) {
-    static const std::map<std::string, Folders, std::less<>> may_use = {
-        {"cli", {"page"}},
-        {"window", {"cli", "drawing"}},
-        {"figures", {"drawing", "page"}},
-        {"drawing", {}},
-        {"page", {}}};
+    static const std::map<std::string, Folders, std::less<>> may_use = {{"cli", {"page"}},
+                                                                        {"window", {"cli", "drawing"}},
+                                                                        {"figures", {"drawing", "page"}},
+                                                                        {"drawing", {}},
+                                                                        {"page", {}}};
     const auto known = may_use.find(folder);
     if (folder == target || folder.empty()) return std::nullopt;
     if (known == may_use.end()) return "visualizer/" + folder + " is on no floor yet: add it to the table";
