@@ -91,9 +91,9 @@ public:
         const double width = 0.61 * letter_size * double(point.name.size()) + 8, height = letter_size + 6;
         std::vector<drawing::Area> candidates{{mark.x + 12, mark.y - height / 2, width, height},
                                               {mark.x - 12 - width, mark.y - height / 2, width, height}};
-        for (double away = 34; away < 330; away += height + 2)
+        for (double away = 30; away < 330; away += height / 2)
             for (const double side : {-1.0, 1.0})
-                for (const double before : {4.0, width - 4})
+                for (const double before : {4.0, width / 2, width - 4})
                     candidates.push_back({mark.x - before, mark.y + side * away - height / 2, width, height});
         const auto free = [&](const drawing::Area& area) {
             return area.x > cost_plot.x + 4 && area.right() < cost_plot.right() + 24 &&
@@ -106,7 +106,7 @@ public:
                          begin = mark.y + (end > mark.y ? 10 : -10);
             return drawing::Area{mark.x - 2, std::min(begin, end), 4, std::abs(end - begin)};
         };
-        const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const drawing::Area& area) {
+        auto found = std::find_if(candidates.begin(), candidates.end(), [&](const drawing::Area& area) {
             if (!free(area)) return false;
             if (&area - candidates.data() < 2) return true;
             return std::none_of(taken_.begin(), taken_.end(), [&](const auto& t) {
@@ -114,6 +114,8 @@ public:
                 return !beside && t.overlaps(lead_of(area));
             });
         });
+        // Where there is no other way, a thin line crosses another one.
+        if (found == candidates.end()) found = std::find_if(candidates.begin(), candidates.end(), free);
         if (found == candidates.end()) throw InputError("figures", {}, "no place for " + point.name);
         taken_.push_back(*found);
         const Pixel middle{found->x + found->width / 2, found->y + height / 2};
@@ -181,6 +183,7 @@ Svg error_against_time(const Subject& subject) {
     std::sort(front.begin(), front.end(), [](Pixel a, Pixel b) { return a.x < b.x; });
     svg.path(front, {black, 2.5});
     PlacedNames names(marks);
+    std::vector<std::pair<Pixel, Measured>> groups;
     for (std::size_t i = 0; i < all.size();) { // marks over each other share a name
         Measured group = all[i];
         std::size_t next = i + 1;
@@ -191,9 +194,14 @@ Svg error_against_time(const Subject& subject) {
             group.on_front = group.on_front && all[next].on_front;
             if (all[next].scalar != group.scalar) group.scalar.clear();
         }
-        names.place(svg, marks[i], group);
+        groups.emplace_back(marks[i], group);
         i = next;
     }
+    // The long ones first: they find the fewest places.
+    std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+        return a.second.name.size() > b.second.name.size();
+    });
+    for (const auto& [mark, group] : groups) names.place(svg, mark, group);
     for (std::size_t i = 0; i < all.size(); ++i) draw_mark(svg, marks[i], all[i].scalar, all[i].textbook);
     names.write(svg);
     draw_mark(svg, {430, 34}, "double", false);
