@@ -226,6 +226,10 @@ ScreenExtents screen_extents(const Workbench& bench, int width, int height) {
     return extents;
 }
 
+std::vector<LightWindow> light_windows(const Workbench& bench, std::size_t light) {
+    return LightExtents<double>(bench.world).windows_of(light);
+}
+
 WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std::size_t object) {
     const RaySpawned& start = trace.rays.at(ray).start();
     const SceneObject& drawn = bench.scene.drawn.at(object);

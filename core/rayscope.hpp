@@ -11,7 +11,10 @@
 #include "core/cases/score_report.hpp"
 #include "core/effects/change_effects.hpp"
 #include "core/effects/effect_cost.hpp"
+#include "core/extents/light_view.hpp"
 #include "core/files/atomic_file.hpp"
+#include "core/files/markup.hpp"
+#include "core/files/temporary_folder.hpp"
 #include "core/files/utf8.hpp"
 #include "core/image/image.hpp"
 #include "core/image/map.hpp"
@@ -129,6 +132,9 @@ struct ScreenExtents {
 };
 /// @param width, height of the image; 0: the scene's
 [[nodiscard]] ScreenExtents screen_extents(const Workbench& bench, int width = 0, int height = 0);
+
+/// The windows through which the stage of light extents looks from a light (an index into Scene::lights).
+[[nodiscard]] std::vector<LightWindow> light_windows(const Workbench& bench, std::size_t light);
 
 /// Why ray number `ray` of a trace of this workbench did not end on a drawn object (an index into Scene::drawn).
 [[nodiscard]] WhyNot why_not(const Workbench& bench, const Trace& trace, std::size_t ray, std::size_t object);

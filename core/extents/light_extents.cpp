@@ -192,6 +192,16 @@ template <Numbers N> std::size_t LightExtents<N>::bytes() const {
     return sum;
 }
 
+template <Numbers N> std::vector<LightWindow> LightExtents<N>::windows_of(std::size_t light) const {
+    std::vector<LightWindow> result;
+    for (const Window& window : lights_.at(light).windows) {
+        LightWindow& seen = result.emplace_back(LightWindow{window.view, {}});
+        for (int y = 0; y < window.view.cells; ++y)
+            for (int x = 0; x < window.view.cells; ++x) seen.held.push_back(window.lists.at(x, y).size());
+    }
+    return result;
+}
+
 template class LightExtents<double>;
 
 } // namespace rayscope

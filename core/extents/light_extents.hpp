@@ -21,6 +21,8 @@ public:
 
     [[nodiscard]] std::size_t entries() const;
     [[nodiscard]] std::size_t bytes() const;
+    /// For people: one, six where the light stands among the objects, none where there are none.
+    [[nodiscard]] std::vector<LightWindow> windows_of(std::size_t light) const;
 
 private:
     struct Window {

@@ -4,6 +4,7 @@
 #include "core/world/world.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace rayscope {
 
@@ -46,6 +47,12 @@ struct LightView {
         if (!(x >= 0 && x < cells && y >= 0 && y < cells)) return std::nullopt;
         return Cell{int(x), int(y)};
     }
+};
+
+/// A window, and how many objects the list of each of its cells holds, row by row.
+struct LightWindow {
+    LightView view;
+    std::vector<std::size_t> held;
 };
 
 } // namespace rayscope

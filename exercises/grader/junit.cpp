@@ -1,4 +1,4 @@
-#include "exercises/grader/markup.hpp"
+#include "core/files/markup.hpp"
 #include "exercises/grader/results.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@ namespace {
 
 std::string case_text(const ExerciseMark& exercise, const GroupMark& group, bool& failed) {
     const std::string head = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"",
-                                         escaped(exercise.id), escaped(group.name));
+                                         in_markup(exercise.id), in_markup(group.name));
     failed = group.right < group.cases;
     if (!failed) return head + "/>\n";
     const std::string message = !exercise.problem.empty() ? exercise.problem
@@ -16,7 +16,7 @@ std::string case_text(const ExerciseMark& exercise, const GroupMark& group, bool
                                     ? fmt::format("{} of {} cases are right", group.right, group.cases)
                                     : exercise.says;
     return fmt::format("{}>\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n", head,
-                       escaped(message), escaped(group.output));
+                       in_markup(message), in_markup(group.output));
 }
 
 } // namespace
@@ -36,7 +36,7 @@ std::string junit_text(const std::vector<SubmissionMark>& marks) {
             }
         suites += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" "
                               "skipped=\"0\" time=\"0\">\n{}  </testsuite>\n",
-                              escaped(mark.student), tests, failures, cases);
+                              in_markup(mark.student), tests, failures, cases);
         all_tests += tests;
         all_failures += failures;
     }

@@ -1,7 +1,7 @@
 #include "exercises/grader/ray_drawing.hpp"
 
+#include "core/files/markup.hpp"
 #include "core/rayscope.hpp"
-#include "exercises/grader/markup.hpp"
 #include "exercises/grader/trace_text.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ std::string lanes(const Workbench& bench, const Ray<double>& ray, const Trace& t
         const std::string name = i < trace.objects.size() ? trace.objects[i].name : "";
         svg += fmt::format(
             "<text x=\"2\" y=\"{:.1f}\">{}</text><line x1=\"{}\" y1=\"{:.1f}\" x2=\"{}\" y2=\"{:.1f}\"/>\n",
-            y + 16, escaped(name), margin, y + 12, drawing_width - 10, y + 12);
+            y + 16, in_markup(name), margin, y + 12, drawing_width - 10, y + 12);
         for (const auto& span : objects[i])
             svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"12\"><title>{:.6g} "
                                "to {:.6g}</title></rect>\n",
@@ -83,7 +83,7 @@ std::string rays_table(const Trace& trace) {
         const RaySpawned& start = trace.rays[i].start();
         std::string hit = "nothing";
         if (const auto* chosen = trace.rays[i].find<BoundaryChosen>())
-            hit = fmt::format("{} at t = {:.6g}", escaped(trace.objects[std::size_t(chosen->object)].name),
+            hit = fmt::format("{} at t = {:.6g}", in_markup(trace.objects[std::size_t(chosen->object)].name),
                               chosen->boundary.t);
         rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", i,
                             name_of(start.kind), vector_text(start.origin), vector_text(start.direction),

@@ -1,7 +1,7 @@
 #include "exercises/grader/report_page.hpp"
 
+#include "core/files/markup.hpp"
 #include "core/scene/input_error.hpp"
-#include "exercises/grader/markup.hpp"
 #include "exercises/grader/ray_drawing.hpp"
 
 #include <fmt/format.h>
@@ -25,22 +25,23 @@ std::string groups_table(const ExerciseMark& exercise) {
     std::string text = "<table><tr><th>group</th><th>points</th><th>cases</th></tr>\n";
     for (const GroupMark& group : exercise.groups)
         text +=
-            fmt::format("<tr><td>{}{}</td><td>{} of {}</td><td>{} of {}</td></tr>\n", escaped(group.name),
+            fmt::format("<tr><td>{}{}</td><td>{} of {}</td><td>{} of {}</td></tr>\n", in_markup(group.name),
                         group.hidden ? " (hidden)" : "", group.score, group.points, group.right, group.cases);
     return text + "</table>\n";
 }
 
 std::string exercise_section(const ExerciseMark& exercise, const std::filesystem::path& rays) {
-    std::string text = fmt::format("<h2>{} {}: {} of {}</h2>\n", escaped(exercise.id),
-                                   escaped(exercise.title), exercise.score, exercise.points);
+    std::string text = fmt::format("<h2>{} {}: {} of {}</h2>\n", in_markup(exercise.id),
+                                   in_markup(exercise.title), exercise.score, exercise.points);
     if (!exercise.handed_in) return text + "<p>Not handed in.</p>\n";
     if (!exercise.compiled)
-        return text + "<p>It does not compile.</p>\n<pre>" + escaped(exercise.problem) + "</pre>\n";
+        return text + "<p>It does not compile.</p>\n<pre>" + in_markup(exercise.problem) + "</pre>\n";
     text += groups_table(exercise);
-    if (!exercise.says.empty()) text += "<p class=\"says\">" + escaped(exercise.says) + "</p>\n";
+    if (!exercise.says.empty()) text += "<p class=\"says\">" + in_markup(exercise.says) + "</p>\n";
     for (const GroupMark& group : exercise.groups)
         if (!group.hidden && group.right < group.cases) {
-            text += fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", escaped(group.name), escaped(group.output));
+            text +=
+                fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", in_markup(group.name), in_markup(group.output));
             break;
         }
     if (!exercise.ray) return text;
@@ -48,7 +49,7 @@ std::string exercise_section(const ExerciseMark& exercise, const std::filesystem
     try {
         text += "<h3>The ray of this case, as it is right</h3>\n" + drawn_ray(rays / file, exercise.ray->ray);
         text += fmt::format("<p>Step through it: <code>rayscope step rays/{} --ray={}</code></p>\n",
-                            escaped(file), escaped(exercise.ray->ray));
+                            in_markup(file), in_markup(exercise.ray->ray));
     } catch (const InputError&) {
         text += "<p>No scene shows this case.</p>\n"; // a box without volume, say
     }
@@ -62,7 +63,7 @@ std::string report_page(const SubmissionMark& mark, const std::filesystem::path&
         fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
                     "<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n{1}</style></head>\n"
                     "<body>\n<h1>{0}</h1>\n<p>{2} of {3} points.</p>\n",
-                    escaped(mark.student), style, mark.score, mark.points);
+                    in_markup(mark.student), style, mark.score, mark.points);
     for (const ExerciseMark& exercise : mark.exercises) text += exercise_section(exercise, rays);
     return text + "</body></html>\n";
 }

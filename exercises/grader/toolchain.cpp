@@ -121,18 +121,8 @@ fs::path cache_folder() {
     return fs::temp_directory_path() / fmt::format("rayscope-exercises-{}", getuid());
 }
 
-PrivateFolder::PrivateFolder(const fs::path& beside) {
-    fs::create_directories(beside);
-    std::string name = (beside / "work-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-        throw std::runtime_error(
-            fmt::format("can't make a folder in {}: {}", beside.string(), std::strerror(errno)));
-    path_ = name;
-}
-PrivateFolder::~PrivateFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
+PrivateFolder::PrivateFolder(const fs::path& beside)
+    : TemporaryFolder((fs::create_directories(beside), beside / "work-XXXXXX")) {}
 
 Toolchain::Toolchain(fs::path harness, fs::path runner, Safety safety)
     : harness_(std::move(harness)), runner_(std::move(runner)), safety_(safety) {

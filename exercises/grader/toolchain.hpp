@@ -1,6 +1,7 @@
 #pragma once
 // The compiler for exercises: its parts that are the same for all are compiled once and kept.
 
+#include "core/files/temporary_folder.hpp"
 #include "exercises/grader/sandbox.hpp"
 
 #include <cstdint>
@@ -71,16 +72,10 @@ private:
 [[nodiscard]] std::filesystem::path cache_folder();
 
 /// A new, empty folder that nobody else can enter, removed with the object.
-class PrivateFolder {
+class PrivateFolder : public TemporaryFolder {
 public:
+    /// @param beside is made where it is missing
     explicit PrivateFolder(const std::filesystem::path& beside);
-    ~PrivateFolder();
-    PrivateFolder(const PrivateFolder&) = delete;
-    PrivateFolder& operator=(const PrivateFolder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
 };
 
 } // namespace rayscope::exercises

@@ -1,11 +1,9 @@
 // The figures that are kept with the lessons are the ones that the program draws.
 
+#include "tests/support/temporary_folder.hpp"
 #include "visualizer/figures/catalogue.hpp"
 
 #include <gtest/gtest.h>
-
-#include <fstream>
-#include <iterator>
 
 namespace rayscope::figures {
 namespace {
@@ -13,11 +11,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path chapters = fs::path(RAYSCOPE_SOURCE_DIR) / "chapters";
-
-std::string content(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Without the pictures in it, whose last bits are the graphics library's.
 std::string vectors_of(std::string svg) {
@@ -30,9 +23,8 @@ std::string vectors_of(std::string svg) {
 bool has_picture(const std::string& svg) { return svg.find("base64,") != std::string::npos; }
 
 void compare(bool with_picture) {
-    for (const Entry& entry :
-         read_catalogue(chapters.parent_path() / "visualizer" / "figures" / "figures.toml")) {
-        const std::string kept = content(chapters / entry.file());
+    for (const Entry& entry : read_catalogue()) {
+        const std::string kept = test::content_of(chapters / entry.file());
         if (has_picture(kept) != with_picture) continue;
         EXPECT_EQ(vectors_of(drawn(entry, chapters)), vectors_of(kept))
             << entry.name << ": ./rayscope figures --only " << entry.name << " draws it anew";
@@ -43,9 +35,8 @@ TEST(Committed, FiguresOfLinesAreDrawnAgainAlike) { compare(false); }
 TEST(CommittedFull, FiguresWithPicturesAreDrawnAgainAlike) { compare(true); }
 
 TEST(Committed, AreSmallAndSayWhatTheyShow) {
-    for (const Entry& entry :
-         read_catalogue(chapters.parent_path() / "visualizer" / "figures" / "figures.toml")) {
-        const std::string kept = content(chapters / entry.file());
+    for (const Entry& entry : read_catalogue()) {
+        const std::string kept = test::content_of(chapters / entry.file());
         EXPECT_GT(kept.size(), 500U) << entry.name;
         EXPECT_LE(kept.size(), 250'000U) << entry.name;
         EXPECT_NE(kept.find("<title>"), std::string::npos) << entry.name;
@@ -54,9 +45,8 @@ TEST(Committed, AreSmallAndSayWhatTheyShow) {
 }
 
 TEST(Committed, LessonsShowFiguresWithTheirWords) {
-    for (const Entry& entry :
-         read_catalogue(chapters.parent_path() / "visualizer" / "figures" / "figures.toml")) {
-        const std::string lesson = content(chapters / entry.chapter / "README.md");
+    for (const Entry& entry : read_catalogue()) {
+        const std::string lesson = test::content_of(chapters / entry.chapter / "README.md");
         EXPECT_NE(lesson.find("![" + entry.alt + "](figures/" + entry.name + ".svg)"), std::string::npos)
             << entry.name;
     }

@@ -1,6 +1,7 @@
 #pragma once
 // How a command ends that can't do what was asked.
 
+#include <functional>
 #include <stdexcept>
 
 namespace rayscope::cli {
@@ -17,5 +18,8 @@ struct UsageError : std::runtime_error {
 struct ScriptError : UsageError {
     using UsageError::UsageError;
 };
+
+/// The exit code of `work`; of what it throws, after that was told on stderr.
+[[nodiscard]] int guarded(const std::function<int()>& work);
 
 } // namespace rayscope::cli

@@ -1,5 +1,7 @@
 #include "visualizer/cli/picture_process.hpp"
 
+#include "visualizer/cli/program_beside.hpp"
+
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -16,31 +18,7 @@ namespace rayscope::cli {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path view_program() {
-    std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error).parent_path() / "rayscope-view";
-}
-
-/// A folder of its own for the trace that the other program reads; goes with all that is in it.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "rayscope-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw std::runtime_error("can't make a temporary folder " + name + ": " + std::strerror(errno));
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
+fs::path view_program() { return program_beside("rayscope-view"); }
 
 /// Ctrl-C goes to the other program as well, which ends: this one must outlive it to tidy up.
 class IgnoreInterrupts {
@@ -99,7 +77,7 @@ const char* how_to_draw() {
 
 void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::optional<Size> size, int ray) {
     const IgnoreInterrupts patience;
-    const TemporaryFolder folder;
+    const TemporaryFolder folder(fs::temp_directory_path() / "rayscope-XXXXXX");
     const fs::path file = folder.path() / "trace.json";
     write_trace(trace, file);
     std::vector<std::string> arguments{view_program().string(),
@@ -120,7 +98,7 @@ void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::opti
 
 void draw_heat(const Map& map, const std::string& title, const fs::path& output) {
     const IgnoreInterrupts patience;
-    const TemporaryFolder folder;
+    const TemporaryFolder folder(fs::temp_directory_path() / "rayscope-XXXXXX");
     const fs::path file = folder.path() / "heat.pfm";
     write_map(map, file);
     run_or_throw({view_program().string(), "heat", file.string(), "--title", title, "-o", output.string()});

@@ -1,11 +1,11 @@
 #include "visualizer/cli/view_command.hpp"
 
 #include "visualizer/cli/failure.hpp"
+#include "visualizer/cli/program_beside.hpp"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,9 +14,7 @@
 namespace rayscope::cli {
 
 int view(int count, char** arguments) {
-    std::error_code error;
-    const std::string program =
-        std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "rayscope-window";
+    const std::string program = program_beside("rayscope-window");
     std::vector<char*> words(arguments + 1, arguments + count);
     words.push_back(nullptr);
     execv(program.c_str(), words.data());

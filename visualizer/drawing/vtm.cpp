@@ -14,8 +14,6 @@
 
 #include <fmt/core.h>
 
-#include <unistd.h>
-
 namespace rayscope::drawing {
 namespace {
 
@@ -50,27 +48,14 @@ void check_replaceable(const fs::path& folder) {
     }
 }
 
-/// A new empty folder, removed with all that is left in it.
-class Workshop {
+/// A new empty folder beside a file.
+class Workshop : public TemporaryFolder {
 public:
-    explicit Workshop(const fs::path& beside) {
-        std::string name =
-            (beside.parent_path() / fmt::format(".{}.XXXXXX", beside.filename().string())).string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw std::runtime_error(beside.string() + ": can't be written: its folder is missing or closed");
-        folder_ = name;
+    explicit Workshop(const fs::path& file) try
+        : TemporaryFolder(file.parent_path() / fmt::format(".{}.XXXXXX", file.filename().string())) {
+    } catch (const std::runtime_error&) {
+        throw std::runtime_error(file.string() + ": can't be written: its folder is missing or closed");
     }
-    ~Workshop() {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-    Workshop(const Workshop&) = delete;
-    Workshop& operator=(const Workshop&) = delete;
-
-    [[nodiscard]] const fs::path& folder() const { return folder_; }
-
-private:
-    fs::path folder_;
 };
 
 } // namespace
@@ -103,7 +88,7 @@ void write_vtm(const Workbench& bench, const Trace& trace, const fs::path& path)
     const fs::path folder = path.parent_path() / path.stem();
     check_replaceable(folder);
     const Workshop workshop(path);
-    const fs::path made = workshop.folder() / path.filename();
+    const fs::path made = workshop.path() / path.filename();
     vtkNew<vtkXMLMultiBlockDataWriter> writer;
     writer->SetInputData(multiblock(bench, trace));
     writer->SetFileName(made.c_str());
@@ -111,8 +96,8 @@ void write_vtm(const Workbench& bench, const Trace& trace, const fs::path& path)
         throw std::runtime_error(path.string() + ": can't be written");
     // Two names can't change at once. The .vtm goes first and comes last: it never points at blocks of another trace.
     fs::remove(path);
-    if (fs::exists(folder)) fs::rename(folder, workshop.folder() / "old blocks");
-    fs::rename(workshop.folder() / path.stem(), folder);
+    if (fs::exists(folder)) fs::rename(folder, workshop.path() / "old blocks");
+    fs::rename(workshop.path() / path.stem(), folder);
     fs::rename(made, path);
 }
 

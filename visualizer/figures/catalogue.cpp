@@ -21,7 +21,8 @@ std::string word(const std::filesystem::path& path, const toml::table& table, co
 
 } // namespace
 
-std::vector<Entry> read_catalogue(const std::filesystem::path& path) {
+std::vector<Entry> read_catalogue() {
+    const std::filesystem::path path = RAYSCOPE_SOURCE_DIR "/visualizer/figures/figures.toml";
     toml::table file;
     try {
         file = toml::parse_file(path.string());

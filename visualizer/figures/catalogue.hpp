@@ -22,8 +22,8 @@ struct Entry {
     }
 };
 
-/// In the order of the file. Throws InputError with the line of what is wrong.
-[[nodiscard]] std::vector<Entry> read_catalogue(const std::filesystem::path& path);
+/// Of this checkout, in the order of the file. Throws InputError with the line of what is wrong.
+[[nodiscard]] std::vector<Entry> read_catalogue();
 
 /// The figure as a file's text. Throws InputError where its scene lacks what it shows.
 [[nodiscard]] std::string drawn(const Entry& entry, const std::filesystem::path& chapters);

@@ -121,11 +121,7 @@ Svg bowl_cut(const Subject& subject) {
     svg.area(part(2), {purple, 0.22});
     svg.area(section(sheet, -1.1, 1.55, [&](const Ray<double>& ray) { return list_of(bowl, ray); }),
              {blue, 0.75});
-    const auto around = [&](std::size_t i, const Pen& pen) {
-        auto outline = part(i).at(0);
-        outline.push_back(outline.front());
-        svg.path(outline, pen);
-    };
+    const auto around = [&](std::size_t i, const Pen& pen) { svg.outline(part(i).at(0), pen); };
     around(0, {black, 2});
     around(1, {vermilion, 2, "8 5"});
     around(2, {Rgb{0x99, 0x45, 0x77}, 2, "2 5"});

@@ -60,7 +60,7 @@ void draw_curve(Svg& svg, const Curve& curve) {
     svg.path(line, {curve.colour, 3, curve.textbook ? "9 5" : ""});
     for (const Pixel& p : line) {
         if (curve.textbook)
-            svg.area({{p.x, p.y - 7}, {p.x + 7, p.y}, {p.x, p.y + 7}, {p.x - 7, p.y}}, {curve.colour});
+            svg.diamond(p, 7, curve.colour);
         else
             svg.dot(p, 6, curve.colour);
     }

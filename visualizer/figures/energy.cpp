@@ -73,9 +73,8 @@ Svg energy_ledger(const Subject& subject) {
     std::vector<LightBar> objects, kinds;
     for (std::size_t i = 0; i < scene.drawn.size(); ++i) {
         const SceneObject& drawn = scene.drawn[i];
-        objects.push_back(bar_of(
-            book, drawn.is_compound ? scene.compounds[drawn.index].name : scene.generics[drawn.index].name,
-            [i](const LightSource& source) { return source.object == Id(i); }));
+        objects.push_back(bar_of(book, object_title(scene, drawn),
+                                 [i](const LightSource& source) { return source.object == Id(i); }));
     }
     objects.push_back(bar_of(book, "background", [](const LightSource& s) { return s.object == none; }));
     std::stable_sort(objects.begin(), objects.end(),

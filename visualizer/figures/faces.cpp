@@ -43,10 +43,9 @@ Svg coincident_faces(const Subject& subject) {
     const Sheet sheet{{0, 0, 0.25}, {1, 0, 0}, {0, 1, 0}, {160, 640}, 100};
     svg.area(section(sheet, -1.0, 1.05, [&](const Ray<double>& row) { return list_of(subject.bench, row); }),
              {orange, 0.4});
-    auto drill =
-        section(sheet, -1.0, 1.05, [&](const Ray<double>& row) { return list_of(generics, row, 1); }).at(0);
-    drill.push_back(drill.front());
-    svg.path(drill, {blue, 2.5, "7 5"});
+    svg.outline(
+        section(sheet, -1.0, 1.05, [&](const Ray<double>& row) { return list_of(generics, row, 1); }).at(0),
+        {blue, 2.5, "7 5"});
     const List block = list_of(generics, ray, 0), hole = list_of(generics, ray, 1),
                result = list_of(subject.bench, ray);
     svg.arrow(sheet(ray.at(1.25)), sheet(ray.at(result.at(0).first)), {black, 3.5});

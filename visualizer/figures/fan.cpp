@@ -19,10 +19,9 @@ Svg dispersion_path(const Subject& subject) {
         const std::size_t i = drawn_called(subject.bench.scene, name);
         return section(sheet, -3, 3, [&](const Ray<double>& ray) { return list_of(subject.bench, ray, i); });
     };
-    for (auto part : cut("prism")) {
+    for (const auto& part : cut("prism")) {
         svg.area(part, {sky_blue, 0.3});
-        part.push_back(part.front());
-        svg.path(part, {black, 2.5});
+        svg.outline(part, {black, 2.5});
     }
     struct End {
         Pixel at;

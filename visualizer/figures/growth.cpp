@@ -1,4 +1,4 @@
-// Measured times of each stage as the number of objects grows.
+// StageTime times of each stage as the number of objects grows.
 
 #include "visualizer/figures/figures.hpp"
 #include "visualizer/figures/lanes.hpp"
@@ -12,21 +12,21 @@
 namespace rayscope::figures {
 namespace {
 
-struct Measured {
+struct StageTime {
     std::string stage, rays;
     double objects = 0, nanoseconds = 0;
 };
 
 /// growth.csv: stage,rays,objects,nanoseconds, after one line of heads. Its rows are taken from the stages.csv that
 /// `rayscope bench stages --scenes cloud` writes: of each stage the rays that it is there for.
-std::vector<Measured> read_measured(const std::filesystem::path& path) {
+std::vector<StageTime> read_growth_table(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::string line;
     if (!file || !std::getline(file, line)) throw InputError(path.string(), {}, "can't be read");
-    std::vector<Measured> list;
+    std::vector<StageTime> list;
     for (int number = 2; std::getline(file, line); ++number) {
         std::istringstream words(line);
-        Measured row;
+        StageTime row;
         char comma = 0;
         if (!std::getline(words, row.stage, ',') || !std::getline(words, row.rays, ',') ||
             !(words >> row.objects >> comma >> row.nanoseconds) || comma != ',' || !(row.objects > 0) ||
@@ -47,7 +47,7 @@ struct Look {
     const char* dash;
 };
 
-void mark(Svg& svg, Pixel at, const Look& look) {
+void draw_stage_mark(Svg& svg, Pixel at, const Look& look) {
     if (look.corners == 0) return svg.dot(at, 8, look.colour);
     std::vector<Pixel> points;
     for (int i = 0; i < look.corners; ++i) {
@@ -68,9 +68,9 @@ Svg time_against_n(const Subject& subject) {
     constexpr std::array looks{Look{"scan", black, 4, ""},           Look{"extents", vermilion, 3, "10 5"},
                                Look{"projective", purple, 6, "2 5"}, Look{"octree", blue, 0, ""},
                                Look{"bvh", green, 5, "4 5"},         Look{"light", orange, 8, "14 4 2 4"}};
-    const auto all = read_measured(subject.chapters / "06_octree" / "growth.csv");
+    const auto all = read_growth_table(subject.chapters / "06_octree" / "growth.csv");
     double least = infinity<double>, most = 0, slowest = 0, quickest = infinity<double>;
-    for (const Measured& m : all) {
+    for (const StageTime& m : all) {
         least = std::min(least, m.objects);
         most = std::max(most, m.objects);
         quickest = std::min(quickest, m.nanoseconds);
@@ -103,15 +103,15 @@ Svg time_against_n(const Subject& subject) {
     };
     std::vector<Name> names;
     for (const Look& look : looks) {
-        std::vector<Measured> own;
+        std::vector<StageTime> own;
         std::copy_if(all.begin(), all.end(), std::back_inserter(own),
-                     [&](const Measured& m) { return m.stage == look.stage; });
+                     [&](const StageTime& m) { return m.stage == look.stage; });
         if (own.empty()) continue;
         std::vector<Pixel> points;
         points.reserve(own.size());
-        for (const Measured& m : own) points.push_back(place(m.objects, m.nanoseconds));
+        for (const StageTime& m : own) points.push_back(place(m.objects, m.nanoseconds));
         svg.path(points, {look.colour, 3.5, look.dash});
-        for (const Pixel& point : points) mark(svg, point, look);
+        for (const Pixel& point : points) draw_stage_mark(svg, point, look);
         const double times = own.back().nanoseconds / own.front().nanoseconds;
         names.push_back({points.back(), std::string(look.stage) + " × " + digits(times, times < 10 ? 1 : 0),
                          look.colour});

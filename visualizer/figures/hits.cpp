@@ -8,12 +8,6 @@ namespace {
 
 const Ray<double> through_both{{-4, 0, 0}, {1, 0, 0}};
 
-std::vector<Pixel> outline_of(const std::vector<std::vector<Pixel>>& section) {
-    std::vector<Pixel> points = section.at(0);
-    points.push_back(points.front());
-    return points;
-}
-
 } // namespace
 
 Svg two_spheres_hits(const Subject& subject) {
@@ -29,8 +23,8 @@ Svg two_spheres_hits(const Subject& subject) {
     svg.area(a, {sky_blue, 0.35});
     svg.area(b, {orange, 0.35});
     svg.area(common, {green, 0.45});
-    svg.path(outline_of(a), {blue, 2.5});
-    svg.path(outline_of(b), {vermilion, 2.5, "9 5"});
+    svg.outline(a.at(0), {blue, 2.5});
+    svg.outline(b.at(0), {vermilion, 2.5, "9 5"});
     svg.text({446, 100}, "A", {30, blue, true});
     svg.text({634, 100}, "B", {30, vermilion, true});
     svg.text({540, 232}, "A ∩ B", {19, black, true});
@@ -45,17 +39,17 @@ Svg two_spheres_hits(const Subject& subject) {
         const char* name;
         Rgb colour;
     };
-    for (const Label& label :
-         {Label{in_a.at(0).first, "t₁", blue}, Label{in_a.at(0).second, "t₂", blue},
-          Label{in_b.at(0).first, "t₃", vermilion}, Label{in_b.at(0).second, "t₄", vermilion}})
+    const Label labels[] = {{in_a.at(0).first, "t₁", blue},
+                            {in_a.at(0).second, "t₂", blue},
+                            {in_b.at(0).first, "t₃", vermilion},
+                            {in_b.at(0).second, "t₄", vermilion}};
+    for (const Label& label : labels)
         svg.line({line(label.t), 190}, {line(label.t), 490}, {grey, 1.5, "3 5"});
     const Pixel eye = sheet(through_both.origin);
     svg.arrow(eye, {line(7.2), eye.y}, {black, 3});
     svg.dot(eye, 8, black);
     svg.text({eye.x, eye.y - 26}, "ray, t = 0", {20, black, false, Anchor::start});
-    for (const Label& label :
-         {Label{in_a.at(0).first, "t₁", blue}, Label{in_a.at(0).second, "t₂", blue},
-          Label{in_b.at(0).first, "t₃", vermilion}, Label{in_b.at(0).second, "t₄", vermilion}}) {
+    for (const Label& label : labels) {
         svg.dot({line(label.t), eye.y}, 7, label.colour);
         svg.text({line(label.t) + 22, eye.y - 24}, label.name, {24, label.colour, true});
     }
@@ -113,7 +107,7 @@ Svg sixteen_functions(const Subject& subject) {
         for (const std::size_t i : {0, 1}) {
             const auto cut = section(sheet, -half_height, half_height,
                                      [&](const Ray<double>& ray) { return list_of(both, ray, i); });
-            svg.path(outline_of(cut), {black, 1.8});
+            svg.outline(cut.at(0), {black, 1.8});
         }
         svg.frame({x - half_width * 58, y - half_height * 58, 2 * half_width * 58, 2 * half_height * 58},
                   {grey, 1.2});

@@ -46,8 +46,7 @@ int main(int argc, char** argv) {
     }
     try {
         const fs::path chapters = fs::path(RAYSCOPE_SOURCE_DIR) / "chapters";
-        for (const Entry& entry : chosen(
-                 read_catalogue(chapters.parent_path() / "visualizer" / "figures" / "figures.toml"), names)) {
+        for (const Entry& entry : chosen(read_catalogue(), names)) {
             if (list) {
                 std::cout << entry.name << "\n    " << entry.caption << "\n    " << entry.command << '\n';
                 continue;

@@ -76,7 +76,7 @@ Rgb scalar_colour(const std::string& scalar) {
 
 void draw_mark(Svg& svg, Pixel p, const std::string& scalar, bool textbook) {
     if (textbook)
-        svg.area({{p.x, p.y - 9}, {p.x + 9, p.y}, {p.x, p.y + 9}, {p.x - 9, p.y}}, {scalar_colour(scalar)});
+        svg.diamond(p, 9, scalar_colour(scalar));
     else
         svg.dot(p, 8, scalar_colour(scalar));
 }

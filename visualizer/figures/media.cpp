@@ -42,10 +42,9 @@ void draw_tank(Svg& svg, const Sheet& sheet, const Workbench& bench, const drawi
         });
     };
     for (const auto& part : cut("lake")) svg.area(part, {sky_blue, 0.35});
-    for (auto part : cut("block")) {
+    for (const auto& part : cut("block")) {
         svg.area(part, {green, 0.25});
-        part.push_back(part.front());
-        svg.path(part, {black, 2.5});
+        svg.outline(part, {black, 2.5});
     }
     const double surface = sheet({0, 2.5, 0}).y;
     svg.line({area.x, surface}, {area.x + area.width, surface}, {blue, 2.5});

@@ -37,11 +37,10 @@ void draw_box(Svg& svg, const Solid& solid, const Vec3d& low, const Vec3d& high,
             if ((i & bit) == 0) svg.line(corner(i), corner(i | bit), pen);
 }
 
-Pixel draw_badge(Svg& svg, Pixel at, std::size_t number, Rgb colour) {
+void draw_badge(Svg& svg, Pixel at, std::size_t number, Rgb colour) {
     svg.dot(at, 17, white);
     svg.circle(at, 16, {colour, 3.5});
     svg.text(at, std::to_string(number), {21, colour, true});
-    return at;
 }
 
 constexpr std::array<Rgb, 2> cell_colours{blue, vermilion};

@@ -52,9 +52,7 @@ Svg near_plane_trap(const Subject& /*subject*/) {
     };
     svg.area(part(the_box.low.z, 0), {sky_blue, 0.55});
     svg.area(part(0, the_box.high.z), {orange, 0.45});
-    auto outline = part(the_box.low.z, the_box.high.z);
-    outline.push_back(outline.front());
-    svg.path(outline, {black, 2.5});
+    svg.outline(part(the_box.low.z, the_box.high.z), {black, 2.5});
     svg.line(at(-3.8, 0), at(4.9, 0), {grey, 1.5, "3 5"});
     svg.text(at(4.95, 0, 0, -16), "before the eye", {19, grey, false, Anchor::end});
     svg.text(at(4.95, 0, 0, 18), "behind it", {19, grey, false, Anchor::end});

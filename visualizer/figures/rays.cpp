@@ -105,11 +105,14 @@ Svg two_media(const Subject& subject) {
         const char* title;
     };
     const double s = std::sqrt(0.5);
+    double water = 0; // its speed of light
     for (const Case& shown : {Case{250, {{-1.2, 1.2, 0}, {s, -s, 0}}, "into the slower medium"},
                               Case{750, {{-0.75, -1.2, 0}, {0.53, 0.848, 0}}, "into the faster medium"}}) {
         const Trace trace = trace_ray(subject.bench, shown.ray);
         const BoundaryChosen& hit = hit_of(trace, 0);
         const auto* bent = trace.rays[0].find<Refracted>();
+        const RefractionCard card = refraction_card(trace, 0).value();
+        water = std::min(card.speed_from, card.speed_to);
         const Sheet here{hit.point, sheet.right, sheet.up, {shown.x, 280}, 190};
         const Vec3d p = hit.point, n = hit.facing, in = normalized(trace.rays[0].start().direction);
         svg.line(here(p - n * 1.2), here(p + n * 1.2), {grey, 1.5, "3 5"});
@@ -130,7 +133,7 @@ Svg two_media(const Subject& subject) {
         svg.text({shown.x, 22}, shown.title, {21, black, true});
     }
     svg.text({14, 250}, "air, c = 1", {19, black, false, Anchor::start});
-    svg.text({14, 310}, "water, c = " + digits(1 / 1.33), {19, black, false, Anchor::start});
+    svg.text({14, 310}, "water, c = " + digits(water), {19, black, false, Anchor::start});
     svg.text({985, 310}, "water", {19, black, false, Anchor::end});
     svg.text({985, 250}, "air", {19, black, false, Anchor::end});
     return svg;
@@ -144,7 +147,8 @@ Svg critical_angle(const Subject& subject) {
         double x, degrees;
         const char* title;
     };
-    const double critical = std::asin(1 / 1.33) * 180 / M_PI;
+    const Trace upright = trace_ray(subject.bench, {{0, -1, 0}, {0, 1, 0}});
+    const double critical = upright.rays[0].find<Refracted>()->critical * 180 / M_PI;
     for (const Case& shown :
          {Case{170, 35, "below"}, Case{490, std::floor(critical * 100) / 100, "at the limit"},
           Case{830, 60, "above"}}) {
@@ -183,15 +187,11 @@ Svg prism_path(const Subject& subject) {
     Svg svg(1000, 600);
     const Trace trace = trace_pixel(subject.bench, 240, 240);
     const Sheet sheet{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {560, 260}, 190};
-    const auto cut = section(sheet, -1.2, 1.2, [&](const Ray<double>& ray) {
-        for (std::size_t i = 0; i < subject.bench.scene.drawn.size(); ++i)
-            if (subject.bench.scene.drawn[i].is_compound) return list_of(subject.bench, ray, i);
-        return List{};
-    });
+    const std::size_t prism = drawn_called(subject.bench.scene, "prism");
+    const auto cut =
+        section(sheet, -1.2, 1.2, [&](const Ray<double>& ray) { return list_of(subject.bench, ray, prism); });
     svg.area(cut, {sky_blue, 0.35});
-    auto outline = cut.at(0);
-    outline.push_back(outline.front());
-    svg.path(outline, {black, 2.5});
+    svg.outline(cut.at(0), {black, 2.5});
     svg.rectangle({0, 260 + 190 * 1.6, 1000, 36}, {orange, 0.3});
     svg.line({0, 260 + 190 * 1.6}, {1000, 260 + 190 * 1.6}, {black, 2});
 

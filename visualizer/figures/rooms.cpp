@@ -14,10 +14,10 @@ Svg recursion_level_3(const Subject& subject) {
     const Sheet sheet{{0, -0.5, 0}, {1, 0, 0}, {0, 0, -1}, {500, 340}, 108};
     for (const char* name : {"ball", "cube"}) {
         const Workbench thing = apart(scene, {name});
-        auto cut = section(sheet, -2.9, 2.9, [&](const Ray<double>& ray) { return list_of(thing, ray); });
+        const auto cut =
+            section(sheet, -2.9, 2.9, [&](const Ray<double>& ray) { return list_of(thing, ray); });
         svg.area(cut, {orange, 0.5});
-        cut.at(0).push_back(cut.at(0).front());
-        svg.path(cut.at(0), {black, 2});
+        svg.outline(cut.at(0), {black, 2});
     }
     svg.text(sheet({0.5, 0, -0.6}), "ball", {19});
     svg.text(sheet({-0.7, 0, -1.4}), "cube", {19});

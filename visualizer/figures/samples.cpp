@@ -1,5 +1,6 @@
 // An image beside the samples that each of its pixels took.
 
+#include "visualizer/drawing/write_png.hpp"
 #include "visualizer/figures/figures.hpp"
 #include "visualizer/figures/lanes.hpp"
 #include "visualizer/figures/solid.hpp"
@@ -10,12 +11,12 @@ namespace rayscope::figures {
 namespace {
 
 std::vector<std::uint8_t> picture_of(const Map& samples) {
-    std::vector<std::uint8_t> bytes;
+    drawing::Raster raster{samples.width, samples.height, {}};
     for (const float count : samples.values) {
         const Rgb colour = count > 1 ? blue : Rgb{0xF6, 0xF7, 0xF9};
-        bytes.insert(bytes.end(), {colour.red, colour.green, colour.blue});
+        raster.bytes.insert(raster.bytes.end(), {colour.red, colour.green, colour.blue});
     }
-    return png_of(samples.width, samples.height, bytes);
+    return drawing::png_bytes(raster);
 }
 
 } // namespace

@@ -20,10 +20,8 @@ Workbench apart(const Scene& scene, const std::vector<std::string>& generics) {
 }
 
 std::size_t drawn_called(const Scene& scene, const std::string& name) {
-    for (std::size_t i = 0; i < scene.drawn.size(); ++i) {
-        const auto [is_compound, index] = scene.drawn[i];
-        if ((is_compound ? scene.compounds[index].name : scene.generics[index].name) == name) return i;
-    }
+    for (std::size_t i = 0; i < scene.drawn.size(); ++i)
+        if (object_title(scene, scene.drawn[i]) == name) return i;
     throw InputError(scene.file, {}, "a figure asks for '" + name + "', which is not drawn");
 }
 

@@ -82,9 +82,7 @@ Svg soft_shadow(const Subject& subject) {
     const Workbench ball = apart(bench.scene, {"orange2"});
     const auto cut = section(sheet, 0, 1.5, [&](const Ray<double>& ray) { return list_of(ball, ray); });
     svg.area(cut, {drawing::mixed(orange, white, 0.5)});
-    std::vector<Pixel> outline = cut.at(0);
-    outline.push_back(outline.front());
-    svg.path(outline, {black, 2});
+    svg.outline(cut.at(0), {black, 2});
     for (const TracedRay* ray : open) svg.line(sheet(place), point_asked(*ray), {vermilion, 1.2});
     svg.circle(sheet(lamp.position), lamp.area.radius * sheet.scale, {black, 2.5});
     for (const TracedRay* ray : blocked) svg.circle(point_asked(*ray), 4, {black, 1.8});

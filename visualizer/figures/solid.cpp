@@ -2,10 +2,8 @@
 
 #include "visualizer/drawing/raster.hpp"
 #include "visualizer/drawing/surfaces.hpp"
+#include "visualizer/drawing/write_png.hpp"
 
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -55,9 +53,8 @@ Solid::Solid(Svg& svg, const drawing::Area& area, const Workbench& bench, const 
     const drawing::PaintedSurfaces painted =
         drawing::paint_surfaces(surfaces_of(bench, region_), bench.scene, camera);
     if (stand.opaque) make_opaque(painted.faces);
-    const drawing::Raster raster =
-        drawing::rasterize(size, camera, painted, drawing::Mesh(), {}, stand.detail);
-    svg.image(area, png_of(raster.width, raster.height, raster.bytes));
+    svg.image(area, drawing::png_bytes(
+                        drawing::rasterize(size, camera, painted, drawing::Mesh(), {}, stand.detail)));
 }
 
 Pixel Solid::operator()(const Vec3d& world) const { return view_.pixel(view_.to_view(world)).value(); }
@@ -66,29 +63,12 @@ Pixel Solid::operator()(const Vec3d& world, double x, double y) const {
     return {p.x + x, p.y + y};
 }
 
-std::vector<std::uint8_t> png_of(int width, int height, const std::vector<std::uint8_t>& rgb) {
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(width, height, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-    const std::size_t row = std::size_t(width) * 3;
-    for (int y = 0; y < height; ++y) // VTK's images start at the lower left
-        std::copy_n(rgb.data() + std::size_t(height - 1 - y) * row, row,
-                    static_cast<std::uint8_t*>(image->GetScalarPointer(0, y, 0)));
-    vtkNew<vtkPNGWriter> writer;
-    writer->WriteToMemoryOn();
-    writer->SetCompressionLevel(9);
-    writer->SetInputData(image);
-    writer->Write();
-    vtkUnsignedCharArray* bytes = writer->GetResult();
-    return {bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues()};
-}
-
 std::vector<std::uint8_t> png_of(const Image& image) {
-    std::vector<std::uint8_t> bytes;
+    drawing::Raster raster{image.width, image.height, {}};
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            for (const std::uint8_t byte : srgb_bytes(image.at(x, y))) bytes.push_back(byte);
-    return png_of(image.width, image.height, bytes);
+            for (const std::uint8_t byte : srgb_bytes(image.at(x, y))) raster.bytes.push_back(byte);
+    return drawing::png_bytes(raster);
 }
 
 } // namespace rayscope::figures

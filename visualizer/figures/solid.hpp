@@ -29,7 +29,6 @@ private:
 };
 
 /// Bytes of a PNG file.
-[[nodiscard]] std::vector<std::uint8_t> png_of(int width, int height, const std::vector<std::uint8_t>& rgb);
 [[nodiscard]] std::vector<std::uint8_t> png_of(const Image& image);
 
 } // namespace rayscope::figures

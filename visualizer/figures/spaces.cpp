@@ -15,10 +15,9 @@ Workbench in_object_space(const Scene& scene) {
 }
 
 void draw_cut(Svg& svg, const Sheet& sheet, const Workbench& bench, Rgb colour) {
-    auto cut = section(sheet, -1.1, 1.1, [&](const Ray<double>& ray) { return list_of(bench, ray); });
+    const auto cut = section(sheet, -1.1, 1.1, [&](const Ray<double>& ray) { return list_of(bench, ray); });
     svg.area(cut, {colour, 0.35});
-    cut.at(0).push_back(cut.at(0).front());
-    svg.path(cut.at(0), {black, 2.5});
+    svg.outline(cut.at(0), {black, 2.5});
 }
 
 /// Two lines of axes and their names.
@@ -54,9 +53,8 @@ Svg inverse_ray(const Subject& subject) {
     const Ray<double> moved = transform.to_object(ray);
     const Sheet world{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {40, 240}, 76};
     const Sheet own{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {800, 240}, 100};
-    const Sheet world_cut{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {40, 240}, 76};
     draw_axes(svg, world, -0.3, 7, -1.5, 1.9);
-    draw_cut(svg, world_cut, subject.bench, sky_blue);
+    draw_cut(svg, world, subject.bench, sky_blue);
     draw_marks(svg, world, ray, list_of(subject.bench, ray), 6.9);
     draw_axes(svg, own, -2.1, 1.9, -1.14, 1.45);
     draw_cut(svg, own, object, orange);

@@ -1,6 +1,5 @@
 #include "visualizer/figures/svg.hpp"
 
-#include "visualizer/figures/escaped.hpp"
 #include "visualizer/page/base64.hpp"
 
 #include <fmt/format.h>
@@ -48,6 +47,11 @@ void Svg::path(const std::vector<Pixel>& points, const Pen& pen) {
     body_ += fmt::format("<path d=\"{}\" {} stroke-linejoin=\"round\"/>\n", points_of(points), stroke(pen));
 }
 
+void Svg::outline(std::vector<Pixel> points, const Pen& pen) {
+    points.push_back(points.front());
+    path(points, pen);
+}
+
 void Svg::area(const std::vector<Pixel>& points, const Fill& fill) {
     area(std::vector<std::vector<Pixel>>(1, points), fill);
 }
@@ -77,6 +81,10 @@ void Svg::dot(Pixel c, double radius, Rgb colour) {
     body_ += fmt::format(
         "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" stroke=\"#FFFFFF\" stroke-width=\"1.5\"/>\n",
         rounded(c.x), rounded(c.y), rounded(radius), hexadecimal(colour));
+}
+
+void Svg::diamond(Pixel c, double radius, Rgb colour) {
+    area({{c.x, c.y - radius}, {c.x + radius, c.y}, {c.x, c.y + radius}, {c.x - radius, c.y}}, {colour});
 }
 
 void Svg::arrow(Pixel from, Pixel to, const Pen& pen) {
@@ -113,7 +121,7 @@ void Svg::text(Pixel at, const std::string& words, const Type& type) {
     body_ += fmt::format(
         "<text x=\"{}\" y=\"{}\" font-size=\"{:.3g}\" fill=\"{}\"{} text-anchor=\"{}\">{}</text>\n",
         rounded(at.x), rounded(at.y + 0.36 * type.size), type.size, hexadecimal(type.colour),
-        type.bold ? " font-weight=\"bold\"" : "", anchors[std::size_t(type.anchor)], escaped(words));
+        type.bold ? " font-weight=\"bold\"" : "", anchors[std::size_t(type.anchor)], in_markup(words));
 }
 
 void Svg::image(const drawing::Area& a, const std::vector<std::uint8_t>& png) {
@@ -129,7 +137,7 @@ std::string Svg::finish(const std::string& title, const std::string& description
         "<style>text{{font-family:\"DejaVu Sans\",Verdana,sans-serif;paint-order:stroke;stroke:#FFFFFF;"
         "stroke-width:4px;stroke-linejoin:round}}</style>\n"
         "<rect width=\"{0:.5g}\" height=\"{1:.5g}\" fill=\"#FFFFFF\"/>\n{4}</svg>\n",
-        width_, height_, escaped(title), escaped(description), body_);
+        width_, height_, in_markup(title), in_markup(description), body_);
 }
 
 } // namespace rayscope::figures

@@ -41,12 +41,15 @@ public:
 
     void line(Pixel from, Pixel to, const Pen& pen);
     void path(const std::vector<Pixel>& points, const Pen& pen);
+    /// The same, closed.
+    void outline(std::vector<Pixel> points, const Pen& pen);
     void area(const std::vector<Pixel>& points, const Fill& fill);
     void area(const std::vector<std::vector<Pixel>>& parts, const Fill& fill);
     void rectangle(const drawing::Area& area, const Fill& fill);
     void frame(const drawing::Area& area, const Pen& pen);
     void circle(Pixel centre, double radius, const Pen& pen);
     void dot(Pixel centre, double radius, Rgb colour);
+    void diamond(Pixel centre, double radius, Rgb colour);
     void arrow(Pixel from, Pixel to, const Pen& pen);
     /// A head in the middle of a line.
     void heading(Pixel from, Pixel to, const Pen& pen, double share = 0.5);

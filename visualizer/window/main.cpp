@@ -2,8 +2,8 @@
 
 #include "visualizer/cli/arguments.hpp"
 #include "visualizer/cli/failure.hpp"
-#include "visualizer/cli/page.hpp"
 #include "visualizer/cli/warnings.hpp"
+#include "visualizer/window/colours.hpp"
 #include "visualizer/window/display.hpp"
 #include "visualizer/window/main_window.hpp"
 #include "visualizer/window/script.hpp"
@@ -30,11 +30,11 @@ void dress(QApplication& app) {
     QApplication::setStyle(QStyleFactory::create("Fusion"));
     QPalette palette(QColor(0xF0, 0xF1, 0xF4), QColor(0xF0, 0xF1, 0xF4));
     palette.setColor(QPalette::Base, Qt::white);
-    palette.setColor(QPalette::AlternateBase, QColor(0xF6, 0xF7, 0xF9));
+    palette.setColor(QPalette::AlternateBase, window::qt_colour(drawing::panel));
     for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText})
-        palette.setColor(role, QColor(0x22, 0x22, 0x22));
-    palette.setColor(QPalette::Highlight, QColor(0xFF, 0xEE, 0x99));
-    palette.setColor(QPalette::HighlightedText, QColor(0x22, 0x22, 0x22));
+        palette.setColor(role, window::qt_colour(drawing::ink));
+    palette.setColor(QPalette::Highlight, window::qt_colour(drawing::highlight));
+    palette.setColor(QPalette::HighlightedText, window::qt_colour(drawing::ink));
     palette.setColor(QPalette::Disabled, QPalette::ButtonText, QColor(0x99, 0x99, 0x99));
     palette.setColor(QPalette::Disabled, QPalette::Text, QColor(0x99, 0x99, 0x99));
     QApplication::setPalette(palette);
@@ -102,18 +102,7 @@ int main(int count, char** words) {
     try {
         app.parse(count, words);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? rayscope::cli::done : rayscope::cli::wrong_usage;
+        return app.exit(error) == 0 ? cli::done : cli::wrong_usage;
     }
-    try {
-        return run(arguments, count, words);
-    } catch (const InputError& error) {
-        std::fprintf(stderr, "%s\n", cli::harmless(error.what()).c_str());
-        return cli::wrong_usage;
-    } catch (const cli::UsageError& error) {
-        std::fprintf(stderr, "rayscope: %s\n", cli::harmless_lines(error.what()).c_str());
-        return cli::wrong_usage;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "rayscope: %s\n", cli::harmless(error.what()).c_str());
-    }
-    return cli::failed;
+    return cli::guarded([&] { return run(arguments, count, words); });
 }

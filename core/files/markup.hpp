@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace rayscope::exercises {
+namespace rayscope {
 
 /// With the characters that mean something in markup written as names, and without those that XML forbids.
-[[nodiscard]] std::string escaped(std::string_view text);
+[[nodiscard]] std::string in_markup(std::string_view text);
 
-} // namespace rayscope::exercises
+} // namespace rayscope

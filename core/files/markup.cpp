@@ -1,10 +1,10 @@
-#include "exercises/grader/markup.hpp"
+#include "core/files/markup.hpp"
 
 #include "core/files/utf8.hpp"
 
-namespace rayscope::exercises {
+namespace rayscope {
 
-std::string escaped(std::string_view text) {
+std::string in_markup(std::string_view text) {
     std::string result;
     while (!text.empty()) {
         const std::size_t length = utf8_length(text);
@@ -28,4 +28,4 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-} // namespace rayscope::exercises
+} // namespace rayscope
