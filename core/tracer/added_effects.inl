@@ -61,8 +61,7 @@ template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMa
 void Tracer<N, Stage, Recorder, Order, mask>::add_area_light(Colour& colour, Id id, const Interaction<N>& at,
                                                              const Budget& budget) {
     const Light& light = world_.lights[std::size_t(id)];
-    const Vec3<T> position = as<T>(light.position);
-    const Vec3<T> to_centre = light.directional ? position : position - at.point;
+    const Vec3<T> to_centre = to_middle_of(light, at);
     LightPoint point{id, 0, light.area.samples, light.colour, light.directional};
     point.colour /= double(point.samples);
     for (; point.sample < point.samples; ++point.sample)

@@ -27,9 +27,7 @@ void Tracer<N, Stage, Recorder, Order, mask>::add_light_from(Colour& colour, Id 
             return;
         }
     }
-    const Vec3<T> position = as<T>(light.position);
-    colour += light_along({id, 0, 1, light.colour, light.directional},
-                          light.directional ? position : position - at.point, at, budget);
+    colour += light_along({id, 0, 1, light.colour, light.directional}, to_middle_of(light, at), at, budget);
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>

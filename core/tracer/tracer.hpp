@@ -98,6 +98,11 @@ private:
                                                                 const Budget& budget);
     [[gnu::always_inline]] inline void add_light_from(Colour& colour, Id light, const Interaction<N>& at,
                                                       const Budget& budget);
+    [[nodiscard, gnu::always_inline]] static Vec3<T> to_middle_of(const Light& light,
+                                                                  const Interaction<N>& at) {
+        const Vec3<T> position = as<T>(light.position);
+        return light.directional ? position : position - at.point;
+    }
     [[nodiscard, gnu::always_inline]] inline Colour light_along(const LightPoint& light,
                                                                 const Vec3<T>& offset,
                                                                 const Interaction<N>& at,

@@ -42,13 +42,14 @@ std::vector<std::pair<Effect, Colour>> light_off(const Workbench& bench, const s
     const Workbench whole = make_workbench(load_scene(path, "auto"));
     const EffectSet called_for = needs(whole), on = needs(bench);
     std::vector<std::pair<Effect, Colour>> off;
+    std::optional<Colour> with_all;
     for (std::size_t i = 0; i < effect_names.size(); ++i) {
         const auto effect = Effect(i);
         if (!called_for.has(effect) || on.has(effect)) continue;
         Scene without = whole.scene;
         take_away(effect, without);
-        off.emplace_back(effect, ledger(whole, size.width, size.height).total -
-                                     ledger(make_workbench(without), size.width, size.height).total);
+        if (!with_all) with_all = ledger(whole, size.width, size.height).total;
+        off.emplace_back(effect, *with_all - ledger(make_workbench(without), size.width, size.height).total);
     }
     return off;
 }

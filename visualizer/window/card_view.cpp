@@ -2,6 +2,7 @@
 
 #include "visualizer/drawing/ray_path.hpp"
 #include "visualizer/drawing/text.hpp"
+#include "visualizer/window/colours.hpp"
 
 #include <QPainter>
 
@@ -12,8 +13,10 @@
 namespace rayscope::window {
 namespace {
 
-const QColor ink(0x22, 0x22, 0x22), quiet(0x66, 0x66, 0x66), reflected(0x00, 0x72, 0xB2),
-    refracted(0xD5, 0x5E, 0x00), normal(0x00, 0x9E, 0x73), critical_grey(0x88, 0x66, 0x99);
+const QColor ink = qt_colour(drawing::ink), quiet = qt_colour(drawing::quiet_ink),
+             reflected(0x00, 0x72, 0xB2),
+             refracted(0xD5, 0x5E, 0x00), normal = qt_colour(drawing::normal_green),
+             critical_grey(0x88, 0x66, 0x99);
 
 QString text(double value, int digits = 5) { return QString::fromStdString(drawing::number(value, digits)); }
 QString angle(double radians) { return QString::fromStdString(drawing::degrees(radians)); }

@@ -141,22 +141,14 @@ void Desk::move_light(std::size_t light, const Vec3d& position, bool continues) 
     change(std::move(changed), key, text, continues);
 }
 
-bool Desk::undo() {
-    if (before_.empty()) return false;
-    after_.push_back({scene(), edits_});
-    State state = std::move(before_.back());
-    before_.pop_back();
-    edits_ = std::move(state.edits);
-    last_key_.clear();
-    show(std::move(state.scene));
-    return true;
-}
+bool Desk::undo() { return go_back(before_, after_); }
+bool Desk::redo() { return go_back(after_, before_); }
 
-bool Desk::redo() {
-    if (after_.empty()) return false;
-    before_.push_back({scene(), edits_});
-    State state = std::move(after_.back());
-    after_.pop_back();
+bool Desk::go_back(std::vector<State>& from, std::vector<State>& here) {
+    if (from.empty()) return false;
+    here.push_back({scene(), edits_});
+    State state = std::move(from.back());
+    from.pop_back();
     edits_ = std::move(state.edits);
     last_key_.clear();
     show(std::move(state.scene));

@@ -61,6 +61,8 @@ private:
         Edits edits;
     };
     void change(Scene scene, const std::string& key, const std::string& value, bool continues);
+    /// To the last state in one list; where it stands now goes into the other.
+    bool go_back(std::vector<State>& from, std::vector<State>& here);
     void show(Scene scene);
     void converse(Trace trace);
     void trace_again();

@@ -2,6 +2,7 @@
 
 #include "visualizer/drawing/heat_map.hpp"
 #include "visualizer/drawing/text.hpp"
+#include "visualizer/window/colours.hpp"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double most_zoom = 64;
 
-QColor shown(drawing::Rgb c) { return {c.red, c.green, c.blue}; }
-
 /// What a heat map's colours mean.
 void draw_scale(QPainter& painter, const MadeImage& image, const QRect& within) {
     const QString name = QString::fromUtf8(heat_names[std::size_t(*image.heat)].meaning.data());
@@ -26,14 +25,14 @@ void draw_scale(QPainter& painter, const MadeImage& image, const QRect& within) 
         std::max(metrics.horizontalAdvance(name), bar + metrics.horizontalAdvance("0" + most) + 16);
     const QRect box(within.left() + 6, within.bottom() - 2 * line - 14, wide + 12, 2 * line + 10);
     painter.fillRect(box, QColor(255, 255, 255, 225));
-    painter.setPen(shown(drawing::ink));
+    painter.setPen(qt_colour(drawing::ink));
     painter.drawText(box.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignLeft, name);
     int x = box.left() + 6;
     const int y = box.top() + 5 + line;
     painter.drawText(QRect(x, y, 20, line), Qt::AlignLeft, "0");
     x += metrics.horizontalAdvance("0") + 6;
     for (int i = 0; i < bar; ++i)
-        painter.fillRect(x + i, y + 2, 1, line - 4, shown(drawing::heat_colour((i + 0.5) / bar)));
+        painter.fillRect(x + i, y + 2, 1, line - 4, qt_colour(drawing::heat_colour((i + 0.5) / bar)));
     painter.drawText(QRect(x + bar + 6, y, wide, line), Qt::AlignLeft, most);
 }
 
@@ -88,7 +87,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(0xE4, 0xE7, 0xEC));
     if (image_.picture.isNull()) {
-        painter.setPen(shown(drawing::quiet_ink));
+        painter.setPen(qt_colour(drawing::quiet_ink));
         painter.drawText(rect(), Qt::AlignCenter, "The image is being made …");
         return;
     }
@@ -146,10 +145,7 @@ void ImageView::wheelEvent(QWheelEvent* event) {
     const QPointF at = event->position();
     const QPointF share((at.x() - before.left()) / before.width(), (at.y() - before.top()) / before.height());
     zoom_ = std::clamp(zoom_ * std::pow(1.0015, event->angleDelta().y()), 1.0, most_zoom);
-    const QSizeF size =
-        before.size() / before.width() *
-        std::min(width() / double(std::max(image_.width, 1)), height() / double(std::max(image_.height, 1))) *
-        image_.width * zoom_;
+    const QSizeF size = area().size();
     // The pixel under the pointer stays there.
     middle_ = {share.x() - (at.x() - width() / 2.0) / size.width(),
                share.y() - (at.y() - height() / 2.0) / size.height()};

@@ -3,6 +3,7 @@
 #include "visualizer/drawing/ray_path.hpp"
 #include "visualizer/drawing/tessellate.hpp"
 #include "visualizer/drawing/text.hpp"
+#include "visualizer/window/colours.hpp"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -15,8 +16,6 @@ namespace rayscope::window {
 namespace {
 
 constexpr std::size_t most_lanes_shown = 400;
-
-QColor colour(drawing::Rgb c) { return {c.red, c.green, c.blue}; }
 
 bool holds(const drawing::Lane& lane, double t) {
     return std::ranges::any_of(lane.spans,
@@ -46,7 +45,7 @@ void LanesView::show_ray(const Trace& trace, int ray) {
                                                                 : "light";
     stop_text_ =
         stop_ ? QString("%1 at t = %2").arg(what, QString::fromStdString(drawing::number(*stop_, 6))) : "";
-    stop_colour_ = colour(drawing::ray_text_colour(traced));
+    stop_colour_ = qt_colour(drawing::ray_text_colour(traced));
     ray_ = ray;
     sweep_.reset();
     fit_rows();
@@ -117,19 +116,19 @@ void LanesView::draw_axis(QPainter& painter) const {
     double free = area.left() - 30;
     for (double k = std::ceil(window_.low / step); k * step <= window_.high && step > 0; ++k) {
         const double x = x_of(k * step);
-        painter.setPen(colour(drawing::hair));
+        painter.setPen(qt_colour(drawing::hair));
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom() + 4));
         const QString text = QString::fromStdString(drawing::number(k * step, digits));
         const int wide = fontMetrics().horizontalAdvance(text);
         if (x - wide / 2.0 < free || x + wide / 2.0 > area.right() + 12) continue;
-        painter.setPen(colour(drawing::quiet_ink));
+        painter.setPen(qt_colour(drawing::quiet_ink));
         painter.drawText(QPointF(x - wide / 2.0, area.bottom() + 6 + fontMetrics().ascent()), text);
         free = x + wide / 2.0 + 6;
     }
-    painter.setPen(colour(drawing::ink));
+    painter.setPen(qt_colour(drawing::ink));
     painter.drawText(QPointF(area.right() + 14, area.bottom() + 6 + fontMetrics().ascent()), "t");
     if (window_.low < 0 && window_.high > 0) {
-        painter.setPen(QPen(colour(drawing::quiet_ink), 1.5));
+        painter.setPen(QPen(qt_colour(drawing::quiet_ink), 1.5));
         painter.drawLine(QPointF(x_of(0), area.top() - 2), QPointF(x_of(0), area.bottom() + 3));
     }
 }
@@ -137,14 +136,14 @@ void LanesView::draw_axis(QPainter& painter) const {
 void LanesView::draw_lane(QPainter& painter, const drawing::Lane& lane, int y) const {
     const QRect area = bars();
     const int high = row();
-    painter.setPen(colour(drawing::hair));
+    painter.setPen(qt_colour(drawing::hair));
     painter.drawLine(area.left(), y + high / 2, area.right(), y + high / 2);
     for (const SpanFound& span : lane.spans) {
         const double from = std::max(span.enter.t, window_.low), to = std::min(span.exit.t, window_.high);
         if (!(to >= from)) continue;
         const auto bar = [&](double a, double b, drawing::Rgb c) {
             painter.fillRect(QRectF(x_of(a), y + high * 0.2, std::max(x_of(b) - x_of(a), 1.5), high * 0.6),
-                             colour(c));
+                             qt_colour(c));
         };
         // What lies behind the start is on the ray's line, not on the ray.
         if (from < 0) bar(from, std::min(to, 0.0), drawing::mixed(lane.colour, drawing::paper, 0.7));
@@ -153,14 +152,14 @@ void LanesView::draw_lane(QPainter& painter, const drawing::Lane& lane, int y) c
             const double x = area.right(), tip = high * 0.3;
             const QPointF triangle[] = {{x, y + high * 0.2}, {x + tip, y + high * 0.5}, {x, y + high * 0.8}};
             painter.setPen(Qt::NoPen);
-            painter.setBrush(colour(lane.colour));
+            painter.setBrush(qt_colour(lane.colour));
             painter.drawPolygon(triangle, 3);
         }
     }
     QFont font = painter.font();
     font.setBold(lane.root);
     painter.setFont(font);
-    painter.setPen(colour(lane.root ? drawing::ink : drawing::mixed(lane.colour, drawing::ink, 0.6)));
+    painter.setPen(qt_colour(lane.root ? drawing::ink : drawing::mixed(lane.colour, drawing::ink, 0.6)));
     const bool in = sweep_ && holds(lane, *sweep_);
     const QString mark = sweep_ ? (in ? " ●" : " ○") : "";
     const int room = area.left() - 12;
@@ -194,7 +193,7 @@ void LanesView::draw_lines(QPainter& painter) const {
     if (stop_) draw(*stop_, stop_colour_, Qt::SolidLine, "", false);
     const auto count =
         std::ranges::count_if(lanes_.shown, [&](const drawing::Lane& lane) { return holds(lane, *sweep_); });
-    draw(*sweep_, colour(drawing::hit_purple), Qt::DashLine,
+    draw(*sweep_, qt_colour(drawing::hit_purple), Qt::DashLine,
          QString("t = %1: inside %2 of %3")
              .arg(QString::fromStdString(drawing::number(*sweep_, 6)))
              .arg(count)
@@ -207,7 +206,7 @@ void LanesView::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(viewport()->rect(), Qt::white);
     if (lanes_.shown.empty()) {
-        painter.setPen(colour(drawing::quiet_ink));
+        painter.setPen(qt_colour(drawing::quiet_ink));
         painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignTop | Qt::AlignLeft,
                          "The line of ray " + QString::number(ray_) + " meets no object.");
         return;

@@ -63,8 +63,7 @@ void MainWindow::link() {
         command("goto " + std::to_string(spot.ray) + "." + std::to_string(spot.event));
     });
     QObject::connect(&weights, &QSlider::valueChanged, this, [this](int value) {
-        // From 10⁻⁴ to 1, by decades; at the left end nothing is left out.
-        const double least = value == 0 ? 0 : std::pow(10.0, -4 + 4.0 * value / 100);
+        const double least = least_weight();
         space.set_least_weight(least);
         tree.show_trace(&desk.trace(), least);
         tree.show_ray(desk.ray());
@@ -85,6 +84,11 @@ void MainWindow::link() {
     image_timer_.setSingleShot(true);
     QObject::connect(&image_timer_, &QTimer::timeout, this, [this] { make_image(); });
     details.viewport()->installEventFilter(this);
+}
+
+/// From 10⁻⁴ to 1, by decades; at the left end nothing is left out.
+double MainWindow::least_weight() const {
+    return weights.value() == 0 ? 0 : std::pow(10.0, -4 + 4.0 * weights.value() / 100);
 }
 
 bool MainWindow::command(const std::string& line) {

@@ -78,6 +78,8 @@ private:
     void show_cheat_sheet();
     bool may_leave(); ///< changes are saved, or not wanted
 
+    [[nodiscard]] double least_weight() const; ///< of the rays that are shown
+
     void scene_changed();
     void trace_changed();
     void moved();

@@ -44,8 +44,7 @@ void MainWindow::scene_changed() {
 void MainWindow::trace_changed() {
     const Trace& trace = desk.trace();
     space.show_trace(desk.bench(), trace, desk.ray(), frame_next_);
-    const double least = weights.value() == 0 ? 0 : std::pow(10.0, -4 + 4.0 * weights.value() / 100);
-    tree.show_trace(&trace, least);
+    tree.show_trace(&trace, least_weight());
     showing_ = true;
     moments.setRange(0, int(desk.walk().timeline().size()) - 1);
     showing_ = false;

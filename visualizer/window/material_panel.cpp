@@ -11,17 +11,13 @@ namespace {
 
 constexpr int steps = 1000;
 
-/// What a slider can go to, whatever the other numbers are.
-double range_of(MaterialPart part) {
-    return part == MaterialPart::shininess ? 500 : part == MaterialPart::index ? 3 : 1;
-}
-
+// Of the parts, in their order.
 constexpr std::array<const char*, 7> meanings{"light that comes from everywhere",
                                               "matt: light of the lamps, scattered",
                                               "highlight: the lamps, mirrored",
-                                              "how small the highlight is",
                                               "how much a mirror",
                                               "how much goes through",
+                                              "how small the highlight is",
                                               "of refraction: 1 air, 1.33 water, 1.5 glass, 2.4 diamond"};
 
 } // namespace
@@ -39,8 +35,7 @@ MaterialPanel::MaterialPanel() {
         slider->setObjectName("slider_" + name);
         slider->setAccessibleName(name);
         slider->setRange(0, steps);
-        const std::size_t meaning = i == 3 ? 4 : i == 4 ? 5 : i == 5 ? 3 : i;
-        slider->setToolTip(meanings.at(meaning));
+        slider->setToolTip(meanings.at(i));
         auto* value = new QLabel;
         value->setMinimumWidth(90);
         rows_.push_back({new QLabel(name), slider, value});

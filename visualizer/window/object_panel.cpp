@@ -53,9 +53,7 @@ ObjectPanel::ObjectPanel(RayView& view) : view_(view) {
     QObject::connect(&list_, &QTreeWidget::itemDoubleClicked, this, [this] {
         const auto id = chosen();
         if (!id) return;
-        const auto found = view_.presence().find(*id);
-        const Presence now = found == view_.presence().end() ? Presence::shown : found->second;
-        set_presence(Presence((int(now) + 1) % 3));
+        set_presence(Presence((int(view_.presence_of(*id)) + 1) % 3));
     });
 }
 
@@ -91,13 +89,11 @@ void ObjectPanel::show_scene(const Scene& scene) {
 }
 
 void ObjectPanel::refresh() {
-    const auto& presence = view_.presence();
     for (int i = 0; i < list_.topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = list_.topLevelItem(i);
         if (!(item->flags() & Qt::ItemIsEnabled)) continue;
         const auto id = std::size_t(item->data(0, Qt::UserRole).toULongLong());
-        const auto found = presence.find(id);
-        QString text = word_of(found == presence.end() ? Presence::shown : found->second);
+        QString text = word_of(view_.presence_of(id));
         if (view_.exploded().contains(id)) text = "exploded";
         item->setText(1, text);
     }

@@ -3,6 +3,7 @@
 #include "visualizer/drawing/palette.hpp"
 #include "visualizer/drawing/ray_path.hpp"
 #include "visualizer/drawing/text.hpp"
+#include "visualizer/window/colours.hpp"
 
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -19,8 +20,7 @@ QPixmap stroke_of(const TracedRay& ray) {
     QPixmap pixmap(14, 12);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    const drawing::Rgb c = drawing::ray_colour(ray);
-    QPen pen(QColor(c.red, c.green, c.blue), 3);
+    QPen pen(qt_colour(drawing::ray_colour(ray)), 3);
     if (ray.start().kind == RayKind::shadow) pen.setDashPattern({1.4, 1});
     painter.setPen(pen);
     painter.drawLine(1, 6, 13, 6);
@@ -100,10 +100,7 @@ QVariant RayTreeModel::data(const QModelIndex& index, int role) const {
     const TracedRay& ray = trace_->rays[std::size_t(ray_of(index))];
     if (role == Qt::DisplayRole) return text_of(*trace_, ray_of(index), index.column());
     if (role == Qt::DecorationRole && index.column() == name) return stroke_of(ray);
-    if (role == Qt::ForegroundRole && index.column() == name) {
-        const drawing::Rgb c = drawing::ray_text_colour(ray);
-        return QColor(c.red, c.green, c.blue);
-    }
+    if (role == Qt::ForegroundRole && index.column() == name) return qt_colour(drawing::ray_text_colour(ray));
     if (role == Qt::TextAlignmentRole && index.column() >= distance)
         return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};

@@ -207,8 +207,7 @@ void RayView::aim() {
 void RayView::draw_surfaces() {
     drawing::Surfaces shown;
     for (const drawing::Surface& surface : scene_->surfaces.shown) {
-        const auto found = presence_.find(surface.drawn);
-        const Presence presence = found == presence_.end() ? Presence::shown : found->second;
+        const Presence presence = presence_of(surface.drawn);
         if (presence == Presence::hidden) continue;
         drawing::Surface copy = surface;
         if (presence == Presence::ghost || exploded_.contains(surface.drawn)) copy.hit = false;

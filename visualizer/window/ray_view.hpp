@@ -42,6 +42,10 @@ public:
     void set_least_weight(double weight);
     void set_presence(std::map<std::size_t, Presence> presence);
     [[nodiscard]] const std::map<std::size_t, Presence>& presence() const { return presence_; }
+    [[nodiscard]] Presence presence_of(std::size_t drawn) const {
+        const auto found = presence_.find(drawn);
+        return found == presence_.end() ? Presence::shown : found->second;
+    }
     void set_exploded(std::set<std::size_t> drawn);
     [[nodiscard]] const std::set<std::size_t>& exploded() const { return exploded_; }
 
@@ -89,6 +93,7 @@ private:
     void draw_surfaces();
     void draw_strokes();
     void aim();
+    void keep_moving(); // the camera moves, and soon rests
     [[nodiscard]] drawing::Area area() const;
     [[nodiscard]] int ray_at(QPointF at) const;
 

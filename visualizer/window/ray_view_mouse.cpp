@@ -54,6 +54,10 @@ void RayView::mouseMoveEvent(QMouseEvent* event) {
         orbit_.turn(moved.x(), moved.y());
     else
         orbit_.shift(orbit_.view(area()), moved.x(), moved.y());
+    keep_moving();
+}
+
+void RayView::keep_moving() {
     moving_ = true;
     settle_timer_.start(160);
     changed(false);
@@ -76,9 +80,7 @@ void RayView::mouseDoubleClickEvent(QMouseEvent* /*event*/) { fit(); }
 
 void RayView::wheelEvent(QWheelEvent* event) {
     orbit_.zoom(std::pow(0.9988, event->angleDelta().y()));
-    moving_ = true;
-    settle_timer_.start(160);
-    changed(false);
+    keep_moving();
 }
 
 } // namespace rayscope::window

@@ -25,13 +25,15 @@ double part_of(const SceneMaterial& material, MaterialPart part) {
     return part == MaterialPart::shininess ? material.shininess : 1 / material.speed;
 }
 
+double range_of(MaterialPart part) {
+    return part == MaterialPart::shininess ? 500 : part == MaterialPart::index ? 3 : 1;
+}
+
 double most_of(const SceneMaterial& material, MaterialPart part) {
     switch (part) {
     case MaterialPart::reflection: return std::max(0.0, 1 - largest_component(material.transmission));
     case MaterialPart::transmission: return std::max(0.0, 1 - largest_component(material.reflection));
-    case MaterialPart::shininess: return 500;
-    case MaterialPart::index: return 3;
-    default: return 1;
+    default: return range_of(part);
     }
 }
 

@@ -26,6 +26,8 @@ inline constexpr std::array<std::string_view, 7> part_names{
 
 /// As one number: of a colour its largest component.
 [[nodiscard]] double part_of(const SceneMaterial& material, MaterialPart part);
+/// What a slider can go to, whatever the other numbers are.
+[[nodiscard]] double range_of(MaterialPart part);
 /// The largest that it may be: reflection and transmission share 1.
 [[nodiscard]] double most_of(const SceneMaterial& material, MaterialPart part);
 /// A pattern of two colours has no one number.
