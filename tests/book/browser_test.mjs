@@ -1,39 +1,22 @@
 // The book in a browser, opened as files: no errors, nothing fetched, formulas set, an embedded ray that moves.
 // node browser_test.mjs PROGRAM SOURCE_FOLDER NODE_MODULES; ends with 77 where browser, library or pandoc are missing.
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join, relative } from 'node:path';
+import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import assert from 'node:assert/strict';
+import { found, launched, missing, program, runAll, source, watched } from '../support/browser.mjs';
 
-const [program, source, modules] = process.argv.slice(2);
-const missing = what => {
-  console.log('not run: ' + what + ' is missing');
-  process.exit(process.env.RAYSCOPE_NEED_BROWSER ? 1 : 77);
-};
-const found = (...files) => files.find(existsSync);
-const browserProgram = found('/usr/bin/chromium', '/usr/bin/chromium-browser');
-if (!browserProgram) missing('chromium');
 if (!found('/usr/bin/pandoc', '/usr/local/bin/pandoc')) missing('pandoc');
-let playwright;
-try { playwright = createRequire(join(modules, 'x.js'))('playwright-core'); } catch { missing('playwright-core in ' + modules); }
-
+const browser = await launched();
 const folder = mkdtempSync(join(tmpdir(), 'rayscope-book-')), site = join(folder, 'site');
 execFileSync('python3', ['-B', join(source, 'chapters/book/build.py'), '-o', site, '--program', program], { stdio: 'inherit' });
 const pages = readdirSync(site, { recursive: true, encoding: 'utf8' }).filter(name => name.endsWith('.html') && !/^(rays|source)\//.test(name)).sort();
 
-const browser = await playwright.chromium.launch({ executablePath: browserProgram,
-  args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
-    '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
-const troubles = [], requests = [];
 const opened = async (name, width = 1280) => {
   const context = await browser.newContext({ viewport: { width, height: 800 } });
-  const page = await context.newPage();
-  page.on('console', message => { if (['error', 'warning'].includes(message.type()) && !/GPU stall|swiftshader/i.test(message.text())) troubles.push(message.text()); });
-  page.on('pageerror', error => troubles.push(String(error)));
-  page.on('request', request => requests.push(request.url()));
+  const page = await watched(context);
   await page.goto(pathToFileURL(join(site, name)).href);
   return page;
 };
@@ -113,20 +96,7 @@ const tests = {
   },
 };
 
-let failed = 0;
-const inside = pathToFileURL(site).href;
-for (const [name, test] of Object.entries(tests)) {
-  try {
-    await test();
-    assert.deepEqual(troubles.splice(0), [], 'the console is silent');
-    const outside = requests.splice(0).filter(url => !url.startsWith(inside) && !url.startsWith('data:') && !url.startsWith('blob:'));
-    assert.deepEqual(outside, [], 'nothing leaves the folder ' + relative('/', site));
-    console.log('ok   ' + name);
-  } catch (error) {
-    ++failed;
-    console.log('FAIL ' + name + '\n' + (error.stack ?? error));
-  }
-}
+const code = await runAll(tests, [pathToFileURL(site).href, 'data:', 'blob:']);
 await browser.close();
 rmSync(folder, { recursive: true });
-process.exit(failed > 0 ? 1 : 0);
+process.exit(code);

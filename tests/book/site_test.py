@@ -38,9 +38,7 @@ class Site(unittest.TestCase):
         shutil.rmtree(cls.folder)
 
     def each(self):
-        for path, facts in sorted(self.pages.items()):
-            with self.subTest(str(path.relative_to(self.site))):
-                yield path, facts
+        return sorted(self.pages.items())
 
     def target(self, page, address):
         path = unquote(address.split("#")[0])
@@ -57,37 +55,37 @@ class Site(unittest.TestCase):
         for path, facts in self.each():
             for address in facts.links:
                 if OUTSIDE.match(address):
-                    self.assertRegex(address, r"^https?://|^mailto:")
+                    self.assertRegex(address, r"^https?://|^mailto:", path)
                     continue
                 target = self.target(path, address)
-                self.assertTrue(target.is_file(), f"{address}: no such file")
-                self.assertTrue(target.is_relative_to(self.site), f"{address} leaves the book")
+                self.assertTrue(target.is_file(), f"{path}: {address}: no such file")
+                self.assertTrue(target.is_relative_to(self.site), f"{path}: {address} leaves the book")
                 anchor = unquote(address.partition("#")[2])
                 if anchor and target in self.pages:
-                    self.assertIn(anchor, self.pages[target].ids, f"{address}: no such place")
+                    self.assertIn(anchor, self.pages[target].ids, f"{path}: {address}: no such place")
 
     def test_nothing_is_fetched(self):
         for path, facts in self.each():
             for address in facts.loads:
-                self.assertIsNone(OUTSIDE.match(address), address)
-                self.assertTrue(self.target(path, address).is_file(), address)
-            self.assertEqual(facts.scripts, 0)
+                self.assertIsNone(OUTSIDE.match(address), f"{path}: {address}")
+                self.assertTrue(self.target(path, address).is_file(), f"{path}: {address}")
+            self.assertEqual(facts.scripts, 0, path)
         self.assertNotRegex((self.site / "book.css").read_text(), r"url\(|@import")
 
     def test_pictures_can_be_read_without_seeing_them(self):
-        for _, facts in self.each():
+        for path, facts in self.each():
             for address, words in facts.pictures:
-                self.assertTrue(words and len(words) > 8, f"{address}: alt text {words!r}")
+                self.assertTrue(words and len(words) > 8, f"{path}: {address}: alt text {words!r}")
 
     def test_pages_are_light(self):
         for path, facts in self.each():
             files = {path, *(self.target(path, address) for address in facts.loads if "rays/" not in address)}
-            self.assertLessEqual(sum(file.stat().st_size for file in files), HEAVIEST)
+            self.assertLessEqual(sum(file.stat().st_size for file in files), HEAVIEST, path)
 
     def test_each_page_has_a_title_and_no_place_twice(self):
-        for _, facts in self.each():
-            self.assertGreaterEqual(facts.headings, 1)
-            self.assertEqual(facts.repeated_ids, [])
+        for path, facts in self.each():
+            self.assertGreaterEqual(facts.headings, 1, path)
+            self.assertEqual(facts.repeated_ids, [], path)
 
     def test_formulas_are_mathml(self):
         for source in CHECKOUT.glob("chapters/*/README.md"):
@@ -95,8 +93,8 @@ class Site(unittest.TestCase):
             facts = self.pages[self.site / source.relative_to(CHECKOUT / "chapters").with_name("index.html")]
             if re.search(r"\$\$.+?\$\$", text, re.S):
                 self.assertGreater(facts.math, 0, source)
-        for _, facts in self.each():
-            self.assertEqual(facts.unset_math, 0, "a formula that pandoc could not read")
+        for path, facts in self.each():
+            self.assertEqual(facts.unset_math, 0, f"{path}: a formula that pandoc could not read")
 
     def test_marked_rays_are_embedded(self):
         marks = sum(len(re.findall(r"^<!-- ray: ", path.read_text(encoding="utf-8"), re.M)) for path in CHECKOUT.glob("chapters/**/*.md"))

@@ -3,11 +3,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <sstream>
-
-#include <sys/wait.h>
 
 namespace rayscope::test {
 
@@ -43,17 +39,7 @@ Printed printed_by(const std::string& arguments, const std::filesystem::path& fo
         program = built_program("lesson_" + arguments.substr(lesson.size())).string();
         rest.clear();
     }
-    const std::string command =
-        "cd '" + folder.string() + "' && '" + program + "' " + rest + " 2>&1 </dev/null";
-    FILE* const pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr) return {-1, "could not run " + command};
-    Printed printed;
-    std::array<char, 4096> bytes{};
-    while (const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), pipe))
-        printed.text.append(bytes.data(), count);
-    const int status = pclose(pipe);
-    printed.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-    return printed;
+    return printed_by_shell("cd '" + folder.string() + "' && '" + program + "' " + rest);
 }
 
 } // namespace rayscope::test

@@ -1,6 +1,8 @@
 #pragma once
 // The chapters as text: which pages there are, and the programs that they show.
 
+#include "tests/support/shell.hpp"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,11 +17,6 @@ inline const std::filesystem::path chapters_root = RAYSCOPE_SOURCE_DIR;
 
 [[nodiscard]] std::string page_text(const std::string& page);
 [[nodiscard]] std::vector<std::string> lines_of_text(const std::string& text);
-
-struct Printed {
-    int code = -1;
-    std::string text; ///< both streams
-};
 
 /// `arguments` as they stand after ./rayscope in a page, read by a shell. `lesson NAME` runs that lesson.
 /// @param folder in which it runs

@@ -1,23 +1,14 @@
 // The page in a browser: keys, clicks, drags, touch, print; the same numbers as the terminal; nothing fetched.
 // node browser_test.mjs PROGRAM SOURCE_FOLDER NODE_MODULES; ends with 77 where browser or library are missing.
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { mkdtempSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import assert from 'node:assert/strict';
+import { launched, program, runAll, source, watched } from '../support/browser.mjs';
 
-const [program, source, modules] = process.argv.slice(2);
-const browserProgram = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
-const missing = what => {
-  console.log('not run: ' + what + ' is missing');
-  process.exit(process.env.RAYSCOPE_NEED_BROWSER ? 1 : 77);
-};
-if (!browserProgram) missing('chromium');
-let playwright;
-try { playwright = createRequire(join(modules, 'x.js'))('playwright-core'); } catch { missing('playwright-core in ' + modules); }
-
+const browser = await launched();
 const folder = mkdtempSync(join(tmpdir(), 'rayscope-page-'));
 const run = (...words) => execFileSync(program, words, { encoding: 'utf8', cwd: folder, stdio: ['ignore', 'pipe', 'pipe'] });
 const pageOf = (scene, name, ...more) => { run('trace', scene, '-o', name, ...more); return join(folder, name); };
@@ -26,16 +17,9 @@ const commands = lines => {
   return run('step', 'prism', '--json', '--script', 'script').trim().split('\n').map(line => JSON.parse(line));
 };
 
-const browser = await playwright.chromium.launch({ executablePath: browserProgram,
-  args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
-    '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
-const troubles = [], requests = [];
 const opened = async (file, { hash = '', before, ...options } = {}) => {
   const context = await browser.newContext({ viewport: { width: 1280, height: 760 }, ...options });
-  const page = await context.newPage();
-  page.on('console', message => { if (['error', 'warning'].includes(message.type()) && !/GPU stall|swiftshader/i.test(message.text())) troubles.push(message.text()); });
-  page.on('pageerror', error => troubles.push(String(error)));
-  page.on('request', request => requests.push(request.url()));
+  const page = await watched(context);
   if (before) await page.addInitScript(before);
   await page.goto(pathToFileURL(file).href + hash);
   await page.waitForFunction(() => window.rayscope !== undefined);
@@ -192,20 +176,8 @@ const tests = {
   },
 };
 
-let failed = 0;
 const prism = pageOf('prism', 'prism.html');
-for (const [name, test] of Object.entries(tests)) {
-  try {
-    await test();
-    assert.deepEqual(troubles.splice(0), [], 'the console is silent');
-    const outside = requests.splice(0).filter(url => !url.startsWith('file://') && !url.startsWith('data:'));
-    assert.deepEqual(outside, [], 'nothing is fetched');
-    console.log('ok   ' + name);
-  } catch (error) {
-    ++failed;
-    console.log('FAIL ' + name + '\n' + (error.stack ?? error));
-  }
-}
+const code = await runAll(tests, ['file://', 'data:']);
 await browser.close();
 rmSync(folder, { recursive: true });
-process.exit(failed > 0 ? 1 : 0);
+process.exit(code);

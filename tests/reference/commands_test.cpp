@@ -2,12 +2,11 @@
 //     RAYSCOPE_RENEW=yes build/release/bin/tests_reference
 
 #include "core/files/atomic_file.hpp"
+#include "tests/support/shell.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -50,14 +49,9 @@ std::string program_of(const Command& command) {
 }
 
 std::string printed_help(const std::string& program) {
-    const std::string line = "cd " + quoted(checkout) + " && " + program + " --help 2>&1 </dev/null";
-    FILE* const pipe = popen(line.c_str(), "r");
-    if (pipe == nullptr) return "";
-    std::string text;
-    std::array<char, 4096> bytes{};
-    while (const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), pipe))
-        text.append(bytes.data(), count);
-    EXPECT_EQ(pclose(pipe), 0) << line << "\n" << text;
+    const std::string line = "cd " + quoted(checkout) + " && " + program + " --help";
+    auto [code, text] = printed_by_shell(line);
+    EXPECT_EQ(code, 0) << line << "\n" << text;
     while (!text.empty() && text.back() == '\n') text.pop_back();
     return text.substr(std::min(text.find_first_not_of('\n'), text.size())) + "\n";
 }

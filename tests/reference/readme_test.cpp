@@ -1,12 +1,11 @@
 // The README's commands exist, with their options and their scenes; its links lead somewhere.
 
+#include "tests/support/shell.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -44,14 +43,9 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 std::string help_of(const std::string& program) {
-    FILE* const pipe = popen((program + " --help 2>&1 </dev/null").c_str(), "r");
-    std::string text;
-    if (pipe == nullptr) return text;
-    std::array<char, 4096> bytes{};
-    while (const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), pipe))
-        text.append(bytes.data(), count);
-    EXPECT_EQ(pclose(pipe), 0) << program;
-    return text;
+    const Printed help = printed_by_shell(program + " --help");
+    EXPECT_EQ(help.code, 0) << program;
+    return help.text;
 }
 
 std::set<std::string> scene_names() {
