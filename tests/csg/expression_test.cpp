@@ -124,7 +124,9 @@ TEST(Expression, AMillionParentheses) {
 }
 
 TEST(Expression, AMillionComplements) {
-    EXPECT_EQ(parse_expression(std::string(1000000, '!') + "a").size(), 1000001U);
+    std::string text(1000000, '!');
+    text += 'a';
+    EXPECT_EQ(parse_expression(text).size(), 1000001U);
 }
 
 TEST(Expression, AMillionOperandsNestedToTheRight) {

@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace exercises;
+using exercises::Reference; // not rayscope's own
 
 const fs::path attacks = RAYSCOPE_SOURCE_DIR "/tests/exercises/attacks";
 

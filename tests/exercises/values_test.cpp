@@ -12,6 +12,7 @@ namespace rayscope::test {
 namespace {
 
 using namespace exercises;
+using exercises::Value; // not rayscope's own
 
 constexpr double inf = std::numeric_limits<double>::infinity(),
                  nan_value = std::numeric_limits<double>::quiet_NaN();

@@ -87,8 +87,7 @@ TEST(AtomicFile, says_why_a_file_cannot_be_written) {
     EXPECT_THAT(message(folder.path()), HasSubstr("it is a folder"));
     EXPECT_THAT(message("/dev/null"), HasSubstr("not a regular file"));
     EXPECT_THAT(message(""), HasSubstr("a file name was expected"));
-    EXPECT_THAT(message(folder.path() / (std::string(300, 'a') + ".png")),
-                HasSubstr("longer than 255 bytes"));
+    EXPECT_THAT(message(folder.path() / std::string(300, 'a')), HasSubstr("longer than 255 bytes"));
     std::ofstream(folder.path() / "file") << "x";
     EXPECT_THAT(message(folder.path() / "file/a.png"), HasSubstr("can't write"));
     EXPECT_THAT(message(folder.path() / "fine.png"), IsEmpty());

@@ -26,7 +26,7 @@ World<double> mirror_cube() {
 }
 
 // The tracer's own steps, one after the other: a recursion of this depth would need a large stack.
-Fault fault_in_case(const World<double>& world, const CavityCase& exact) {
+Fault cavity_fault(const World<double>& world, const CavityCase& exact) {
     const Scan<double> stage(world);
     Work<double> work;
     NullRecorder recorder;
@@ -61,7 +61,7 @@ void expect_cavity(const std::vector<CavityCase>& cases) {
     const World<double> world = mirror_cube();
     int wrong = 0;
     for (const CavityCase& exact : cases) {
-        const Fault fault = fault_in_case(world, exact);
+        const Fault fault = cavity_fault(world, exact);
         if (fault && wrong++ < printed)
             ADD_FAILURE() << *fault << "\n  in " << exact.id << "\n  ray " << hex(exact.ray.origin) << ", "
                           << hex(exact.ray.direction);

@@ -111,7 +111,7 @@ std::vector<Ray<double>> variants(const Ray<double>& ray) {
     return list;
 }
 
-Fault fault_in_case(const Grid& grid, const GridCase& exact) {
+Fault grid_fault(const Grid& grid, const GridCase& exact) {
     for (const Ray<double>& ray : variants(exact.ray)) {
         std::vector<double> reaches{infinity<double>};
         for (const ExactSegment& segment : exact.segments) reaches.push_back((segment.from + segment.to) / 2);
@@ -131,7 +131,7 @@ void expect_cells(const std::vector<GridCase>& cases) {
     for (const GridCase& exact : cases) {
         auto& grid = grids[exact.depth];
         if (!grid) grid = std::make_unique<Grid>(exact.depth);
-        const Fault fault = fault_in_case(*grid, exact);
+        const Fault fault = grid_fault(*grid, exact);
         if (fault && wrong++ < printed) ADD_FAILURE() << *fault << "\n  in " << exact.id;
     }
     EXPECT_EQ(wrong, 0) << "cases wrong of " << cases.size();

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<Rgb, 9> viridis{Rgb{0x44, 0x01, 0x54}, Rgb{0x47, 0x2D, 0x7B}, Rgb{0x3B, 0x52, 0x8B},
                                      Rgb{0x2C, 0x72, 0x8E}, Rgb{0x21, 0x91, 0x8C}, Rgb{0x28, 0xAE, 0x80},
                                      Rgb{0x5E, 0xC9, 0x62}, Rgb{0xAD, 0xDC, 0x30}, Rgb{0xFD, 0xE7, 0x25}};
-constexpr double font = 14;
+constexpr double text_height = 14;
 constexpr int margin = 16, head = 44, bar_width = 20, bar_room = 96;
 
 // Between 512 and 1024 pixels on the longer side, each value a square.
@@ -31,7 +31,7 @@ void draw_bar(Canvas& canvas, const Area& area, double most, bool more) {
     for (int i = 0; i <= 4; ++i)
         canvas.add(Text{{area.right() + 6, area.bottom() - area.height * i / 4},
                         (i == 4 && more ? "≥ " : "") + number(most * i / 4, 4),
-                        font,
+                        text_height,
                         ink});
 }
 
@@ -64,11 +64,13 @@ Raster draw_heat_map(const Map& map, const std::string& title, double most) {
     FlatPicture picture(whole);
     Canvas canvas;
     canvas.add(Text{{double(margin), head / 2.0},
-                    elided(title, Font::bold, font, whole.width - 2.0 * margin),
-                    font,
+                    elided(title, Font::bold, text_height, whole.width - 2.0 * margin),
+                    text_height,
                     ink,
                     Font::bold});
-    draw_bar(canvas, {double(margin + width + 12), head + font, bar_width, std::max(40.0, height - 2 * font)},
+    draw_bar(canvas,
+             {double(margin + width + 12), head + text_height, bar_width,
+              std::max(40.0, height - 2 * text_height)},
              most, std::ranges::any_of(map.values, [&](float value) { return !(double(value) <= most); }));
     Raster raster = picture.finish(std::move(canvas));
     copy_map(raster, map, size, most);

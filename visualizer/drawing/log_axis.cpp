@@ -13,7 +13,7 @@ namespace rayscope::drawing {
 namespace {
 
 constexpr double least_span = 0.6;     // decades, so that equal values stand in the middle
-constexpr double margin = 0.07;        // of the span
+constexpr double edge_room = 0.07;     // of the span
 constexpr double few = 2.5, many = 12; // decades
 
 } // namespace
@@ -21,8 +21,8 @@ constexpr double few = 2.5, many = 12; // decades
 LogAxis::LogAxis(double least, double most) : from_(std::log10(least)), to_(std::log10(most)) {
     const double missing = std::max(0.0, least_span - (to_ - from_));
     const double span = to_ - from_ + missing;
-    from_ -= missing / 2 + margin * span;
-    to_ += missing / 2 + margin * span;
+    from_ -= missing / 2 + edge_room * span;
+    to_ += missing / 2 + edge_room * span;
 }
 
 void LogAxis::apply(vtkAxis* axis) const {

@@ -1,0 +1,39 @@
+# What keeps building short. Most of a file's compilation is headers, and most of the rest is optimizing what takes no
+# time when it runs.
+
+find_program(CCACHE ccache)
+if(CCACHE AND PROJECT_IS_TOP_LEVEL)
+  # Without these ccache passes on whatever uses a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
+endif()
+
+# A few files at a time take half as long as one by one. -DRAYSCOPE_BATCH=1 for who edits and compiles.
+set(RAYSCOPE_BATCH 8 CACHE STRING "How many source files are compiled at a time")
+if(PROJECT_IS_TOP_LEVEL AND RAYSCOPE_BATCH GREATER 1 AND NOT DEFINED CMAKE_UNITY_BUILD)
+  set(CMAKE_UNITY_BUILD ON)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE ${RAYSCOPE_BATCH})
+endif()
+
+# rayscope_no_hot_loop(target): little optimization, since all that takes time happens in core.
+function(rayscope_no_hot_loop target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# rayscope_shared_headers(name LIBRARIES … HEADERS …): headers compiled once, for all targets that say
+# rayscope_use_headers(target name). -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows what a file forgot to include.
+function(rayscope_shared_headers name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES;HEADERS")
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "")
+  add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES})
+  target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+  rayscope_warnings(${name})
+  rayscope_no_hot_loop(${name})
+endfunction()
+
+function(rayscope_use_headers target name)
+  get_target_property(libraries ${name} LINK_LIBRARIES)
+  target_link_libraries(${target} PRIVATE ${libraries})
+  target_precompile_headers(${target} REUSE_FROM ${name})
+  rayscope_no_hot_loop(${target})
+endfunction()
