@@ -59,8 +59,12 @@ public:
     /// t in the tree's units, never rounded down.
     [[nodiscard]] float reach(double t) const { return float(t * scale_) * (1 + rounding); }
 
-    /// Where the ray enters each box, never rounded up; infinite where no hit with 0 ≤ t ≤ reach can lie in it.
-    [[nodiscard]] std::array<float, 8> enter(const Node8& node, float reach) const {
+    /// Which boxes a hit with 0 ≤ t ≤ reach may lie in, a bit for each, and where the ray enters these, never rounded up.
+    struct Entered {
+        unsigned boxes;
+        std::array<float, 8> at;
+    };
+    [[nodiscard]] Entered enter(const Node8& node, float reach) const {
         Floats enter = 0.0F, exit = reach;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto &nearer = down_[axis] ? node.high[axis] : node.low[axis],
@@ -71,10 +75,11 @@ public:
             where(to > enter, enter) = to;
             where(from < exit, exit) = from;
         }
-        where(enter > exit * (1 + rounding), enter) = std::numeric_limits<float>::infinity();
-        std::array<float, 8> result;
-        (enter * (1 - rounding)).copy_to(result.data(), std::experimental::element_aligned);
-        return result;
+        const auto met = enter <= exit * (1 + rounding);
+        Entered entered{0, {}};
+        for (std::size_t i = 0; i < 8; ++i) entered.boxes |= unsigned(met[i]) << i;
+        (enter * (1 - rounding)).copy_to(entered.at.data(), std::experimental::element_aligned);
+        return entered;
     }
 
 private:

@@ -4,6 +4,7 @@
 #include "core/boxes/node8.hpp"
 #include "core/boxes/unwatched.hpp"
 
+#include <bit>
 #include <span>
 
 namespace rayscope {
@@ -37,14 +38,14 @@ void walk8(std::span<const Node8> nodes, const Ray8& ray, const Reach& reach, st
         ++visited;
         watch.node(place.child);
         const Node8& node = nodes[place.child];
-        const auto enter = ray.enter(node, limit);
+        const Ray8::Entered entered = ray.enter(node, limit);
         // Farthest first, so that the nearest is taken next.
         const std::size_t bottom = top;
-        for (std::size_t i = 0; i < 8; ++i) {
-            if (!(enter[i] < std::numeric_limits<float>::infinity())) continue;
+        for (unsigned left = entered.boxes; left != 0; left &= left - 1) {
+            const auto i = std::size_t(std::countr_zero(left));
             std::size_t at = top++;
-            for (; at > bottom && stack[at - 1].enter < enter[i]; --at) stack[at] = stack[at - 1];
-            stack[at] = {node.child[i], enter[i]};
+            for (; at > bottom && stack[at - 1].enter < entered.at[i]; --at) stack[at] = stack[at - 1];
+            stack[at] = {node.child[i], entered.at[i]};
         }
     }
 }

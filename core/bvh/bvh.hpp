@@ -62,12 +62,12 @@ void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
             if (search.test(object)) return;
         return;
     }
-    const BallRay<T> ball_ray(search.ray());
+    const GroupRay<T> group_ray(search.ray());
     Counters& counters = search.work().counters;
     const auto reach = [&] { return ray.reach(double(search.reach())); };
     const auto visit = [&](std::uint32_t bin) {
         ++counters.cells;
-        return bins_.each(bin, ball_ray, search.reach(), counters,
+        return bins_.each(bin, group_ray, search.reach(), counters,
                           [&](std::uint32_t object) { return search.test(object); });
     };
     if constexpr (Search::recording) {

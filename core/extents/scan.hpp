@@ -42,7 +42,7 @@ void Scan<N>::look(const RayUse& /*use*/, Search& search) const {
     constexpr bool recording = Search::recording;
     std::size_t met = 0, later = recording ? not_balls_.size() - others_.size() : 0;
     const std::size_t end =
-        balls_.each_met(BallRay<T>(search.ray()), 0, balls_.size(), [&](std::uint32_t object) {
+        balls_.each_met(GroupRay<T>(search.ray()), 0, balls_.size(), [&](std::uint32_t object) {
             ++met; // counted by its test
             if (recording && this->world_.objects[object].is_compound) {
                 --later;
@@ -53,7 +53,7 @@ void Scan<N>::look(const RayUse& /*use*/, Search& search) const {
     const std::size_t tested = std::min(end, ball_count_);
     const std::size_t unmet = tested - met - std::min(tested - met, later);
     search.work().counters.objects += unmet;
-    search.work().counters.tests[Generic<N>(Sphere<N>{}).index()] += unmet;
+    search.work().counters.tests[generic_index<N, Sphere<N>>()] += unmet;
     if (search.done()) return;
     for (const std::uint32_t object : recording ? not_balls_ : others_)
         if (search.test(object)) return;

@@ -20,6 +20,15 @@ using Generic = std::variant<Sphere<N>, Plane<N>, Cylinder<N>, Cone<N>, Cube<N>,
 
 inline constexpr std::size_t generic_kinds = std::variant_size_v<Generic<double>>;
 
+/// Generic::index() of a shape.
+template <Numbers N, typename Shape, std::size_t from = 0>
+[[nodiscard]] constexpr std::size_t generic_index() {
+    if constexpr (std::is_same_v<Shape, std::variant_alternative_t<from, Generic<N>>>)
+        return from;
+    else
+        return generic_index<N, Shape, from + 1>();
+}
+
 /// "sphere", "plane", …
 template <Numbers N> [[nodiscard]] const char* generic_name(const Generic<N>& generic) {
     return std::visit([](const auto& shape) { return shape.name; }, generic);

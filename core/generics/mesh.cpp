@@ -15,8 +15,8 @@ template <Numbers N> void Mesh<N>::all(const Ray<T>& ray, std::vector<MeshCrossi
         if (const auto hit = view.hit(t.a, t.b, t.c)) out.push_back({hit->t, triangle, hit->entering});
     };
     const auto endless = [] { return infinity<double>; };
-    triangles_->along(as<double>(ray), endless, test);
-    triangles_->along(as<double>(Ray<T>{ray.origin, -ray.direction}), endless, test);
+    triangles_->along(as<double>(ray), kernel_unit, endless, test);
+    triangles_->along(as<double>(Ray<T>{ray.origin, -ray.direction}), kernel_unit, endless, test);
     // By t; at the same t what enters comes first, so that the seam of two parts that touch is no boundary.
     std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
         if (a.t != b.t) return a.t < b.t;
@@ -80,7 +80,7 @@ auto Mesh<N>::nearest(const Ray<T>& ray, const Range<T>& range, const Counts& co
     const TriangleRay<N> view(ray);
     std::optional<MeshCrossing<T>> first;
     triangles_->along(
-        as<double>(ray), [&] { return double(first ? first->t : range.max); },
+        as<double>(ray), kernel_unit, [&] { return double(first ? first->t : range.max); },
         [&](std::uint32_t triangle) {
             const Corners t = corners(triangle);
             const auto hit = view.hit(t.a, t.b, t.c);

@@ -88,6 +88,9 @@ private:
     void all(const Ray<T>& ray, std::vector<MeshCrossing<T>>& out) const;
     void settle(std::vector<MeshCrossing<T>>& list) const;
 
+    // A ray of wider numbers is rounded to double where triangles are left out.
+    static constexpr double kernel_unit = std::is_same_v<T, float> ? double(epsilon<float>) : epsilon<double>;
+
     std::shared_ptr<const TriangleMesh> triangles_;
 };
 

@@ -65,6 +65,10 @@ public:
     [[nodiscard]] Mat4<T> matrix() const;
 
     [[nodiscard]] const Vec3<T>& translation() const { return translation_; }
+    /// Object space is world space.
+    [[nodiscard]] bool is_identity() const {
+        return inverse_ == Mat3<T>{T(1)} && translation_ == Vec3<T>{T(0)};
+    }
 
 private:
     struct Nothing {};

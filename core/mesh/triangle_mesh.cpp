@@ -8,7 +8,7 @@
 namespace rayscope {
 namespace {
 
-constexpr std::size_t triangles_a_leaf = 4;
+constexpr std::size_t triangles_a_leaf = group_lanes;
 
 void turn_inside_out(MeshData& mesh) {
     for (auto* corners : {&mesh.triangles, &mesh.triangle_normals})
@@ -26,18 +26,25 @@ TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)), hole_(find_h
     items.reserve(size());
     for (std::uint32_t i = 0; i < size(); ++i)
         items.push_back({scaled_outward(data_.bounds_of(i), scale_), i});
-    order_.reserve(size());
+    std::vector<std::uint32_t> members;
     const auto make_leaf = [&](std::span<const BoxedItem> leaf) {
-        const auto first = std::uint32_t(order_.size());
-        for (const BoxedItem& item : leaf) order_.push_back(item.index);
-        std::sort(order_.begin() + first, order_.end());
+        members.clear();
+        for (const BoxedItem& item : leaf) members.push_back(item.index);
+        std::ranges::sort(members);
+        const auto first = std::uint32_t(groups_.size());
+        for (const std::uint32_t i : members) {
+            const MeshData::Corners& t = data_.triangles[i];
+            groups_.add(data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]], i);
+        }
+        groups_.end_group();
         return first << count_bits | std::uint32_t(leaf.size() - 1);
     };
     nodes_ = BoxTreeBuilder(std::move(items), triangles_a_leaf, make_leaf).build().nodes;
+    groups_.close();
 }
 
 std::size_t TriangleMesh::bytes() const {
-    return data_.bytes() + nodes_.capacity() * sizeof(Node8) + order_.capacity() * sizeof(std::uint32_t);
+    return data_.bytes() + nodes_.capacity() * sizeof(Node8) + groups_.bytes();
 }
 
 // From so far away that the boxes' floats can't tell them apart: does the line pass by the ball around all of them?
@@ -62,7 +69,7 @@ bool TriangleMesh::any_in(const Box<double>& box) const {
             }
             const std::uint32_t first = (child & ~Node8::leaf) >> count_bits;
             for (std::uint32_t k = first; k <= first + (child & count_mask); ++k)
-                if (data_.bounds_of(order_[k]).overlaps(box)) return true;
+                if (data_.bounds_of(groups_[k]).overlaps(box)) return true;
         }
     }
     return false;
@@ -89,7 +96,7 @@ double TriangleMesh::distance(const Vec3d& p) const {
             }
             const std::uint32_t first = (child & ~Node8::leaf) >> count_bits;
             for (std::uint32_t k = first; k <= first + (child & count_mask); ++k) {
-                const MeshData::Corners& t = data_.triangles[order_[k]];
+                const MeshData::Corners& t = data_.triangles[groups_[k]];
                 nearest =
                     minimum(nearest, distance_to_triangle(p, data_.positions[t[0]], data_.positions[t[1]],
                                                           data_.positions[t[2]]));

@@ -3,10 +3,11 @@
 
 #include "core/boxes/walk8.hpp"
 #include "core/mesh/closed.hpp"
+#include "core/mesh/triangle_groups.hpp"
 
 namespace rayscope {
 
-/// Immutable. About 60 bytes a triangle where six triangles share a vertex.
+/// Immutable. About 140 bytes a triangle where six triangles share a vertex.
 class TriangleMesh {
 public:
     /// @param data at least one triangle, at most most_triangles. A closed mesh that is inside out is turned.
@@ -22,21 +23,26 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
     /// Calls visit(triangle) for all that the half line t ≥ 0 may meet at a t ≤ reach(), roughly from the nearest on.
+    /// @param unit ε of whoever tests them
     template <typename Reach, typename Visit>
-    void along(const Ray<double>& ray, const Reach& reach, const Visit& visit) const {
+    void along(const Ray<double>& ray, double unit, const Reach& reach, const Visit& visit) const {
         const Ray8 ray8(ray, scale_, 1);
         if (!ray8.reliable()) {
             if (!may_meet_from_afar(ray)) return;
             for (std::uint32_t i = 0; i < size(); ++i) visit(i);
             return;
         }
+        const GroupRay<double> group_ray(ray);
+        const auto test = [&](std::uint32_t triangle) {
+            visit(triangle);
+            return false;
+        };
         std::uint64_t visited = 0;
         walk8(
             nodes_, ray8, [&] { return ray8.reach(reach()); }, visited,
             [&](std::uint32_t leaf) {
-                for (std::uint32_t i = leaf >> count_bits; i <= (leaf >> count_bits) + (leaf & count_mask);
-                     ++i)
-                    visit(order_[i]);
+                const std::size_t first = leaf >> count_bits, last = first + 1 + (leaf & count_mask);
+                groups_.each_near(group_ray, reach(), first, last, test, unit);
                 return false;
             });
     }
@@ -48,8 +54,8 @@ public:
     [[nodiscard]] double distance(const Vec3d& p) const;
 
 private:
-    // A leaf's number: its first place in order_, and how many follow it.
-    static constexpr std::uint32_t count_bits = 2, count_mask = 3;
+    // A leaf's number: its first place in groups_, and how many follow it.
+    static constexpr std::uint32_t count_bits = 3, count_mask = 7;
 
     [[nodiscard]] bool may_meet_from_afar(const Ray<double>& ray) const;
 
@@ -58,7 +64,7 @@ private:
     std::optional<Hole> hole_;
     double scale_ = 1;
     std::vector<Node8> nodes_;
-    std::vector<std::uint32_t> order_; // triangles, leaf by leaf
+    TriangleGroups<double> groups_; // one a leaf
 };
 
 } // namespace rayscope

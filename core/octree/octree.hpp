@@ -98,10 +98,10 @@ void Octree<N>::look(const RayUse& /*use*/, Search& search) const {
     }
     Work<T>& work = search.work();
     work.mailbox.open(this->world_.objects.size());
-    const BallRay<T> ball_ray(search.ray());
+    const GroupRay<T> group_ray(search.ray());
     const auto reach = [&] { return double(search.reach()); };
     const auto visit = [&](std::uint32_t bin) {
-        return bins_.each(bin, ball_ray, search.reach(), work.counters, [&](std::uint32_t object) {
+        return bins_.each(bin, group_ray, search.reach(), work.counters, [&](std::uint32_t object) {
             return work.mailbox.first_visit(object) && search.test(object);
         });
     };

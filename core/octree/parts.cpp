@@ -1,14 +1,16 @@
 #include "core/octree/parts.hpp"
 
+#include "core/stage/free_triangle.hpp"
+
 namespace rayscope {
 namespace {
 
-// Measured: a generic costs as much as so many balls of eight.
-constexpr double ball_cost = 1, generic_cost = 6;
+// Measured: what a triangle of eight, and a generic, cost in units of a ball of eight.
+constexpr double ball_cost = 1, triangle_cost = 1.5, generic_cost = 6;
 
 template <Numbers N> double cost_to_test(const World<N>& world, const Object& object) {
     if (world.is_ball(object)) return ball_cost;
-    if (!object.is_compound) return generic_cost;
+    if (!object.is_compound) return free_triangle(world, object) != nullptr ? triangle_cost : generic_cost;
     return generic_cost * double(world.compounds[object.index].nodes.size());
 }
 

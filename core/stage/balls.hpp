@@ -1,11 +1,10 @@
 #pragma once
 // Spheres that no matrix distorts, stored component by component, so that the compiler tests several at once.
 
+#include "core/boxes/groups.hpp"
 #include "core/world/work.hpp"
 #include "core/world/world.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <optional>
 
 namespace rayscope {
@@ -24,26 +23,10 @@ template <Numbers N>
     return program[0].operand;
 }
 
-/// What all tests of one ray share.
-template <Scalar T> struct BallRay {
-    T x, y, z, dx, dy, dz, dd, inverse_dd, inverse_length;
-
-    explicit BallRay(const Ray<T>& ray)
-        : x(ray.origin.x),
-          y(ray.origin.y),
-          z(ray.origin.z),
-          dx(ray.direction.x),
-          dy(ray.direction.y),
-          dz(ray.direction.z),
-          dd(dot(ray.direction, ray.direction)),
-          inverse_dd(T(1) / dd),
-          inverse_length(T(1) / sqrt(dd)) {}
-};
-
 template <Numbers N> class Balls {
 public:
     using T = ScalarOf<N>;
-    static constexpr std::size_t lanes = 8; ///< the widest vectors' doubles
+    static constexpr std::size_t lanes = group_lanes;
 
     /// @param ball a solid with is_ball
     void add(const Solid<N>& ball, std::uint32_t object) {
@@ -75,7 +58,8 @@ public:
     /// Both ends are multiples of `lanes`.
     /// @return the ball after the one that ended it, or `last`
     template <typename OnHit>
-    std::size_t each_met(const BallRay<T>& ray, std::size_t first, std::size_t last, const OnHit& hit) const {
+    std::size_t each_met(const GroupRay<T>& ray, std::size_t first, std::size_t last,
+                         const OnHit& hit) const {
         for (; first < last; first += lanes)
             for (unsigned met = met_of(ray, first); met != 0; met &= met - 1) {
                 const auto i = std::size_t(std::countr_zero(met));
@@ -89,7 +73,7 @@ private:
 
     // Bit i: the ray's line meets ball first + i. A function of its own, small enough for the compiler to make vector
     // instructions of it.
-    [[gnu::noinline]] unsigned met_of(const BallRay<T>& ray, std::size_t first) const {
+    [[gnu::noinline]] unsigned met_of(const GroupRay<T>& ray, std::size_t first) const {
         const T *cx = &x_[first], *cy = &y_[first], *cz = &z_[first], *radius = &radius_[first];
         std::array<T, lanes> squared;
         for (std::size_t i = 0; i < lanes; ++i)

@@ -1,7 +1,9 @@
 #pragma once
-// The objects of each cell or leaf, put together by kind: balls side by side, then all others.
+// The objects of each cell or leaf, put together by kind: balls side by side, triangles side by side, then all others.
 
+#include "core/mesh/triangle_groups.hpp"
 #include "core/stage/ball_groups.hpp"
+#include "core/stage/free_triangle.hpp"
 
 namespace rayscope {
 
@@ -15,16 +17,22 @@ public:
         for (const std::uint32_t object : objects) {
             if (const auto ball = deciding_ball(world, world.objects[object]))
                 balls_.add(world.solids[*ball], object);
-            else
+            else if (const auto* triangle = free_triangle(world, world.objects[object])) {
+                const auto& corner = triangle->vertices();
+                triangles_.add(corner[0], corner[1], corner[2], object);
+            } else
                 others_.push_back(object);
         }
         balls_.end_group();
-        ends_.push_back({std::uint32_t(balls_.size()), std::uint32_t(others_.size())});
+        triangles_.end_group();
+        ends_.push_back(
+            {std::uint32_t(balls_.size()), std::uint32_t(triangles_.size()), std::uint32_t(others_.size())});
         return std::uint32_t(ends_.size() - 2);
     }
     /// After the last one.
     void close() {
         balls_.close();
+        triangles_.close();
         others_.shrink_to_fit();
         ends_.shrink_to_fit();
     }
@@ -32,43 +40,55 @@ public:
     /// Objects in a bin.
     [[nodiscard]] std::size_t held(std::uint32_t bin) const {
         const Ends &first = ends_[bin], &last = ends_[bin + 1];
-        return last.balls - first.balls + last.others - first.others;
+        return last.balls - first.balls + last.triangles - first.triangles + last.others - first.others;
     }
 
     /// Calls visit(object) for what a ray may hit in a bin with 0 ≤ t ≤ reach, until it returns true; so does this then.
-    /// Balls that it can't hit are only counted.
+    /// Balls and triangles that it can't hit are only counted.
     template <typename Visit>
-    bool each(std::uint32_t bin, const BallRay<T>& ray, T reach, Counters& counters,
+    bool each(std::uint32_t bin, const GroupRay<T>& ray, T reach, Counters& counters,
               const Visit& visit) const {
         const Ends &first = ends_[bin], &last = ends_[bin + 1];
-        bool done = false;
-        if (first.balls < last.balls) {
-            std::size_t met = 0;
-            const std::size_t end =
-                balls_.each_near(ray, reach, first.balls, last.balls, [&](std::uint32_t object) {
-                    ++met; // counted by its test
-                    return done = visit(object);
-                });
-            const std::size_t unmet = end - first.balls - met;
-            counters.objects += unmet;
-            counters.tests[Generic<N>(Sphere<N>{}).index()] += unmet;
-        }
-        for (std::uint32_t i = first.others; i < last.others && !done; ++i) done = visit(others_[i]);
-        return done;
+        if (first.balls < last.balls &&
+            each_near<Sphere<N>>(balls_, first.balls, last.balls, ray, reach, counters, visit))
+            return true;
+        if (first.triangles < last.triangles &&
+            each_near<Polygon<N>>(triangles_, first.triangles, last.triangles, ray, reach, counters, visit))
+            return true;
+        for (std::uint32_t i = first.others; i < last.others; ++i)
+            if (visit(others_[i])) return true;
+        return false;
     }
 
     [[nodiscard]] std::size_t bytes() const {
-        return balls_.bytes() + others_.capacity() * sizeof(std::uint32_t) + ends_.capacity() * sizeof(Ends);
+        return balls_.bytes() + triangles_.bytes() + others_.capacity() * sizeof(std::uint32_t) +
+               ends_.capacity() * sizeof(Ends);
     }
 
 private:
     struct Ends {
-        std::uint32_t balls, others;
+        std::uint32_t balls, triangles, others;
     };
 
+    template <typename Shape, typename OfOneKind, typename Visit>
+    static bool each_near(const OfOneKind& groups, std::uint32_t first, std::uint32_t last,
+                          const GroupRay<T>& ray, T reach, Counters& counters, const Visit& visit) {
+        bool done = false;
+        std::size_t met = 0;
+        const std::size_t end = groups.each_near(ray, reach, first, last, [&](std::uint32_t object) {
+            ++met; // counted by its test
+            return done = visit(object);
+        });
+        const std::size_t unmet = end - first - met;
+        counters.objects += unmet;
+        counters.tests[generic_index<N, Shape>()] += unmet;
+        return done;
+    }
+
     BallGroups<N> balls_;
+    TriangleGroups<T> triangles_;
     std::vector<std::uint32_t> others_;
-    std::vector<Ends> ends_{{0, 0}}; // bin i lies between entries i and i + 1
+    std::vector<Ends> ends_{{0, 0, 0}}; // bin i lies between entries i and i + 1
 };
 
 } // namespace rayscope

@@ -69,7 +69,7 @@ TEST(Closed, memory) {
         const TriangleMesh mesh(std::move(data));
         return double(mesh.bytes()) / double(mesh.size());
     };
-    EXPECT_LT(each(shared), 64);
+    EXPECT_LT(each(shared), 100);
     EXPECT_LT(each(apart), 200);
 }
 

@@ -75,13 +75,17 @@ bool add(const std::string& subject, const std::shared_ptr<const RaySets>& sets,
     return true;
 }
 
-bool add_balls(const std::string& name, const Scene& scene, std::vector<Row>& rows) {
+// Embree's scene of the same.
+using InEmbree = std::function<std::shared_ptr<const EmbreeScene>(const World<double>&)>;
+
+bool add_scene(const std::string& name, const Scene& scene, const InEmbree& embree_of,
+               std::vector<Row>& rows) {
     const auto world = std::make_shared<const World<double>>(build(scene));
     Camera camera = scene.camera;
     camera.width = camera.height = edge;
     const auto octree = std::make_shared<const Octree<double>>(*world);
     const auto bvh = std::make_shared<const Bvh<double>>(*world);
-    const auto embree = std::make_shared<const EmbreeScene>(*world);
+    const auto embree = embree_of(*world);
     std::printf("%-14s built in: octree %.3f s, bvh %.3f s, embree %.3f s\n", name.c_str(),
                 octree->statistics().build_seconds, bvh->statistics().build_seconds, embree->build_seconds());
     const auto sets =
@@ -90,6 +94,10 @@ bool add_balls(const std::string& name, const Scene& scene, std::vector<Row>& ro
     kept.push_back(world);
     return add(name, sets, {stage_rival("octree", octree), stage_rival("bvh", bvh), embree_rival(embree)},
                rows);
+}
+
+std::shared_ptr<const EmbreeScene> balls_in_embree(const World<double>& world) {
+    return std::make_shared<const EmbreeScene>(world);
 }
 
 // A sphere with bumps, of 2 n² triangles.
@@ -112,32 +120,38 @@ Triangles bumpy(std::uint32_t n) {
     return mesh;
 }
 
-bool add_triangles(const std::string& name, std::uint32_t n, std::vector<Row>& rows) {
-    const Triangles mesh = bumpy(n);
+Scene scene_before_bumps() {
     Scene scene = cloud(1, 1);
     scene.camera.eye = normalized(Vec3d{0.3, 0.5, 1}) * 3.2;
-    scene.camera.width = scene.camera.height = edge;
     scene.generics.clear();
     scene.drawn.clear();
-    for (const auto& [a, b, c] : mesh.indices) {
-        SceneGeneric& triangle = scene.generics.emplace_back();
-        triangle.shape = Polygon<double>(
-            {as<double>(mesh.corners[a]), as<double>(mesh.corners[b]), as<double>(mesh.corners[c])});
-        triangle.material = 0;
-        scene.drawn.push_back({false, scene.generics.size() - 1});
-    }
-    const auto world = std::make_shared<const World<double>>(build(scene));
-    const auto octree = std::make_shared<const Octree<double>>(*world);
-    const auto bvh = std::make_shared<const Bvh<double>>(*world);
-    const auto embree = std::make_shared<const EmbreeScene>(mesh);
-    std::printf("%-14s built in: octree %.3f s, bvh %.3f s, embree %.3f s\n", name.c_str(),
-                octree->statistics().build_seconds, bvh->statistics().build_seconds, embree->build_seconds());
-    const auto sets =
-        std::make_shared<const RaySets>(ray_sets(*world, *bvh, scene.camera, world->lights.front().position));
-    static std::vector<std::shared_ptr<const World<double>>> kept;
-    kept.push_back(world);
-    return add(name, sets, {stage_rival("octree", octree), stage_rival("bvh", bvh), embree_rival(embree)},
-               rows);
+    return scene;
+}
+
+void draw(Scene& scene, Generic<double> shape) {
+    SceneGeneric& generic = scene.generics.emplace_back();
+    generic.shape = std::move(shape);
+    generic.material = 0;
+    scene.drawn.push_back({false, scene.generics.size() - 1});
+}
+
+// Each triangle is an object of its own.
+Scene loose(const Triangles& mesh) {
+    Scene scene = scene_before_bumps();
+    for (const auto& [a, b, c] : mesh.indices)
+        draw(scene, Polygon<double>({as<double>(mesh.corners[a]), as<double>(mesh.corners[b]),
+                                     as<double>(mesh.corners[c])}));
+    return scene;
+}
+
+// All are one object.
+Scene joined(const Triangles& mesh) {
+    MeshData data;
+    for (const auto& corner : mesh.corners) data.positions.push_back(as<double>(corner));
+    for (const auto& [a, b, c] : mesh.indices) data.triangles.push_back({a, b, c});
+    Scene scene = scene_before_bumps();
+    draw(scene, Mesh<double>(std::make_shared<TriangleMesh>(std::move(data))));
+    return scene;
 }
 
 } // namespace
@@ -145,8 +159,17 @@ bool add_triangles(const std::string& name, std::uint32_t n, std::vector<Row>& r
 int main(int argc, char** argv) {
     std::vector<Row> rows;
     for (const std::size_t count : {std::size_t(1000), std::size_t(10000), std::size_t(100000)})
-        if (!add_balls("balls_" + std::to_string(count), cloud(count, filling_radius(count)), rows)) return 1;
-    if (!add_triangles("triangles_10000", 71, rows)) return 1;
+        if (!add_scene("balls_" + std::to_string(count), cloud(count, filling_radius(count)), balls_in_embree,
+                       rows))
+            return 1;
+    for (const auto& [name, n] :
+         {std::pair("10000", 71U), std::pair("100000", 223U), std::pair("1000000", 707U)}) {
+        const Triangles mesh = bumpy(n);
+        const auto embree = std::make_shared<const EmbreeScene>(mesh);
+        const auto in_embree = [&](const World<double>& /*world*/) { return embree; };
+        if (n < 500 && !add_scene(std::string("triangles_") + name, loose(mesh), in_embree, rows)) return 1;
+        if (!add_scene(std::string("mesh_") + name, joined(mesh), in_embree, rows)) return 1;
+    }
     std::vector<std::string> arguments{argv, argv + argc};
     arguments.insert(arguments.begin() + 1, "--benchmark_min_time=0.1");
     const auto times = run_interleaved(arguments, 5);
