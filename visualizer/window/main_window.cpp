@@ -25,6 +25,7 @@ MainWindow::MainWindow(Desk& given, bool remember)
     make_options();
     statusBar()->addPermanentWidget(&pixel_);
     link();
+    link_changes();
     resize(1600, 1000);
     if (remember_) {
         const QSettings settings;
@@ -41,17 +42,7 @@ void MainWindow::link() {
     image.on_pick = [this](int x, int y) { command("pixel " + std::to_string(x) + "," + std::to_string(y)); };
     tree.on_ray = [this](int ray) { command("goto " + std::to_string(ray)); };
     space.on_ray = [this](int ray) { command("goto " + std::to_string(ray)); };
-    space.on_light = [this](std::size_t light, const Vec3d& position, bool continues) {
-        desk.move_light(light, position, continues);
-    };
     lanes.on_sweep = [this](std::optional<double> t) { space.set_sweep(t); };
-    materials.on_change = [this](std::size_t material, MaterialPart part, double value, bool continues) {
-        try {
-            desk.set_material(material, part, value, continues);
-        } catch (const std::exception& error) {
-            say(error.what(), true);
-        }
-    };
     console.on_line = [this](const QString& line) {
         typing_ = true;
         command(line.toStdString());
@@ -146,25 +137,6 @@ void MainWindow::open_scene(const QString& file) {
         frame_next_ = false;
         say(error.what(), true);
     }
-}
-
-void MainWindow::save() {
-    try {
-        if (!desk.changed()) return say("Nothing was changed");
-        desk.save();
-        say("Saved " + QString::fromStdString(desk.file().string()));
-    } catch (const std::exception& error) {
-        say(error.what(), true);
-    }
-    show_title();
-}
-
-void MainWindow::undo() {
-    if (!desk.undo()) say("Nothing was changed before");
-}
-
-void MainWindow::redo() {
-    if (!desk.redo()) say("Nothing was taken back");
 }
 
 bool MainWindow::may_leave() {

@@ -71,6 +71,10 @@ private:
     void make_toolbar();
     void make_options();
     void link();
+    void link_changes();
+    /// Changes the scene or the ray, unless that can't be now; says why not.
+    void change(const std::function<void()>& how);
+    void dragged(const Handle& handle, const Vec3d& to, double pixel, bool continues);
     QAction* add_action(QMenu* menu, const QString& text, const QString& shortcut, const QString& tip,
                         std::function<void()> act);
     void say(const QString& text, bool wrong = false);

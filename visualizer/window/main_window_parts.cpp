@@ -85,7 +85,8 @@ void MainWindow::make_menus() {
     add_action(file, "&Quit", "Ctrl+Q", "end", [this] { close(); });
 
     QMenu* edit = menuBar()->addMenu("&Edit");
-    undo_ = add_action(edit, "&Undo", "Ctrl+Z", "the last change of the scene", [this] { undo(); });
+    undo_ = add_action(edit, "&Undo", "Ctrl+Z", "the last change of the scene, or drag of the ray",
+                       [this] { undo(); });
     redo_ = add_action(edit, "&Redo", "Ctrl+Shift+Z", "the change that was taken back", [this] { redo(); });
 
     QMenu* walk = menuBar()->addMenu("&Walk");

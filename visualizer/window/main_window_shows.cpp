@@ -37,8 +37,6 @@ void MainWindow::scene_changed() {
     else
         image_timer_.start(30);
     frame_next_ = false;
-    undo_->setEnabled(desk.can_undo());
-    redo_->setEnabled(desk.can_redo());
 }
 
 void MainWindow::trace_changed() {
@@ -59,6 +57,8 @@ void MainWindow::trace_changed() {
                        .arg(c.b, 0, 'g', 4)
                        .arg(trace.rays.size())
                        .arg(desk.walk().timeline().size()));
+    undo_->setEnabled(desk.can_undo());
+    redo_->setEnabled(desk.can_redo());
     set_text(colours, QString::fromStdString(cli::result_text(trace, desk.style())));
     moved();
 }

@@ -28,6 +28,11 @@ bool same_objects(const drawing::Surfaces& surfaces, const std::vector<Id>& draw
     });
 }
 
+bool same_places(const Scene& a, const Scene& b) {
+    return &a == &b ||
+           (std::ranges::equal(a.generics, b.generics, {}, &SceneGeneric::matrix, &SceneGeneric::matrix));
+}
+
 } // namespace
 
 RayView::Scenery::Scenery(const Workbench& workbench, const Trace& trace,
@@ -39,8 +44,8 @@ RayView::Scenery::Scenery(const Workbench& workbench, const Trace& trace,
                       fresh.radius < 3 * old->region.radius && fresh.radius > old->region.radius / 8;
     moved = old != nullptr && !near;
     region = near ? old->region : fresh;
-    // What the window itself changes, materials and lights, leaves the shapes as they are.
-    if (near && same_objects(old->surfaces, drawn))
+    // Of what the window itself changes, only the places of generics are seen in the shapes.
+    if (near && same_objects(old->surfaces, drawn) && same_places(old->bench->scene, workbench.scene))
         surfaces = old->surfaces;
     else
         surfaces = drawing::surfaces_near(workbench, trace, drawn, region);

@@ -68,6 +68,7 @@ void RayView::draw_strokes() {
     drawing::LabelPlacer placer(free, strokes.segments());
     drawing::draw_marks(canvas, placer, *trace_, styles_, actors_->named, *scene_->bench,
                         drawing::Region{orbit_.pivot, orbit_.radius, {}}, *view_, letters);
+    draw_handles(canvas, placer);
     canvas.add(drawing::FilledArea{{0, free.height, double(width()), high}, drawing::paper, 0.85});
     drawing::draw_legend(&canvas, letters, free.height + letters * 0.25, wide, *trace_, ghosts,
                          letters * 0.95);
@@ -105,16 +106,6 @@ std::optional<QPoint> RayView::place_of(int id) const {
     if (!part) return std::nullopt;
     const auto pixel = view_->pixel(from + (to - from) * ((part->from + part->to) / 2));
     return pixel ? std::optional(QPoint(int(pixel->x), int(pixel->y))) : std::nullopt;
-}
-
-std::optional<QPoint> RayView::place_of_light(std::size_t light) const {
-    if (!view_ || !bench_ || light >= bench_->scene.lights.size()) return std::nullopt;
-    const SceneLight& entry = bench_->scene.lights[light];
-    if (entry.directional) return std::nullopt;
-    const auto pixel = view_->pixel(view_->to_view(entry.position));
-    if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x > width() || pixel->y > height())
-        return std::nullopt;
-    return QPoint(int(pixel->x), int(pixel->y));
 }
 
 } // namespace rayscope::window

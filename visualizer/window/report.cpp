@@ -36,6 +36,16 @@ nlohmann::json lanes_json(const MainWindow& window) {
     return lanes;
 }
 
+nlohmann::json vector_json(const Vec3d& v) { return {number_json(v.x), number_json(v.y), number_json(v.z)}; }
+
+/// Where things are that can be dragged.
+nlohmann::json handles_json(const MainWindow& window) {
+    nlohmann::json handles = nlohmann::json::object();
+    for (const Handle& handle : window.space.handles()) handles[handle.name] = vector_json(handle.at);
+    handles["start"] = vector_json(window.desk.trace().rays.front().start().origin); // perhaps out of sight
+    return handles;
+}
+
 } // namespace
 
 std::string report_of(MainWindow& window, const std::string& line, bool ok) {
@@ -69,6 +79,7 @@ std::string report_of(MainWindow& window, const std::string& line, bool ok) {
           {"height", image.height},
           {"fine", image.fine},
           {"seconds", image.seconds}}},
+        {"handles", handles_json(window)},
         {"space", {{"rays", window.space.rays_drawn()}, {"surfaces", window.space.surfaces_shown()}}},
         {"size", {window.width(), window.height()}},
         {"milliseconds", window.last_milliseconds()},
