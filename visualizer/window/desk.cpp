@@ -70,6 +70,7 @@ void Desk::converse(Trace trace) {
 
 cli::Reply Desk::command(const std::string& line) {
     const TraceSource before = trace().source;
+    const bool asked = session_->quizzing();
     cli::Reply reply = session_->reply(line);
     const TraceSource& now = trace().source;
     if (reply.command == "pixel" || reply.command == "source" || before.x != now.x || before.y != now.y ||
@@ -79,6 +80,8 @@ cli::Reply Desk::command(const std::string& line) {
             choice_.pixel = std::pair(now.x, now.y);
         }
         if (on_trace) on_trace();
+    } else if ((asked || session_->quizzing()) && on_trace) {
+        on_trace(); // more of it may be shown now, or less
     } else if (on_move) {
         on_move();
     }

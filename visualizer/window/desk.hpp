@@ -35,8 +35,6 @@ public:
     void open(const std::string& scene);
     /// A line of the conversation; views hear of what it moved.
     cli::Reply command(const std::string& line);
-    /// The answer to a line that moves nothing. Not during a quiz.
-    std::string look(const std::string& line) { return session_->reply(line).text; }
     void pick(int x, int y);
     /// Find hits by a stage, which then tells where it looks; nothing: every object is tested.
     void choose_stage(const std::optional<StageChoice>& stage, bool by_stage);

@@ -17,6 +17,7 @@ void MainWindow::link_changes() {
 }
 
 void MainWindow::change(const std::function<void()>& how) {
+    if (is_asked()) return;
     try {
         how();
     } catch (const std::exception& error) {
@@ -45,11 +46,15 @@ void MainWindow::save() {
 }
 
 void MainWindow::undo() {
-    if (!desk.undo()) say("Nothing was changed before");
+    change([this] {
+        if (!desk.undo()) say("Nothing was changed before");
+    });
 }
 
 void MainWindow::redo() {
-    if (!desk.redo()) say("Nothing was taken back");
+    change([this] {
+        if (!desk.redo()) say("Nothing was taken back");
+    });
 }
 
 } // namespace rayscope::window

@@ -136,12 +136,12 @@ std::optional<std::size_t> ObjectPanel::chosen() const {
     return std::size_t(item->data(0, drawn_role).toULongLong());
 }
 
-void ObjectPanel::mark(std::size_t drawn) {
-    if (drawn >= most_listed || int(drawn) >= list_.topLevelItemCount()) return;
+void ObjectPanel::mark(std::optional<std::size_t> drawn) {
+    if (drawn && (*drawn >= most_listed || int(*drawn) >= list_.topLevelItemCount())) return;
     const QTreeWidgetItem* current = list_.currentItem(); // perhaps one of its operands
-    if (current != nullptr && current->data(0, drawn_role).toULongLong() == drawn) return;
+    if (drawn && current != nullptr && current->data(0, drawn_role).toULongLong() == *drawn) return;
     marking_ = true;
-    list_.setCurrentItem(list_.topLevelItem(int(drawn)));
+    list_.setCurrentItem(drawn ? list_.topLevelItem(int(*drawn)) : nullptr);
     marking_ = false;
 }
 

@@ -14,7 +14,7 @@ public:
     explicit ObjectPanel(RayView& view);
 
     void show_scene(const Scene& scene);
-    void mark(std::size_t drawn); ///< the object that the current ray ends on
+    void mark(std::optional<std::size_t> drawn); ///< the object that the current ray ends on
     void mark_grip(const Grip& grip);
     /// An object or an operand, by name; false: there is none in the list.
     [[nodiscard]] bool choose(const std::string& name);

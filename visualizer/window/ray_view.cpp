@@ -5,6 +5,7 @@
 #include "visualizer/window/ray_view_parts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rayscope::window {
 namespace {
@@ -98,6 +99,11 @@ void RayView::set_sweep(std::optional<double> t) {
 
 void RayView::set_least_weight(double weight) {
     least_weight_ = weight;
+    changed(false);
+}
+
+void RayView::set_deepest_cell(int level) {
+    if (level == std::exchange(deepest_cell_, level)) return;
     changed(false);
 }
 

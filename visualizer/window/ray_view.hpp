@@ -46,6 +46,7 @@ public:
     void show_ray(int ray);
     void set_sweep(std::optional<double> t);
     void set_least_weight(double weight);
+    void set_deepest_cell(int level); ///< cells of a stage below it are not drawn
     void set_presence(std::map<std::size_t, Presence> presence);
     [[nodiscard]] const std::map<std::size_t, Presence>& presence() const { return presence_; }
     [[nodiscard]] Presence presence_of(std::size_t drawn) const {
@@ -126,6 +127,7 @@ private:
     int ray_ = 0;
     std::optional<double> sweep_;
     double least_weight_ = 0;
+    int deepest_cell_ = std::numeric_limits<int>::max();
     bool locked_ = false, surfaces_changed_ = false, moving_ = false;
     QPointF pressed_, last_;
     std::optional<Grip> grip_;

@@ -1,6 +1,7 @@
 #include "visualizer/window/ray_view_parts.hpp"
 
 #include "visualizer/drawing/scene_objects.hpp"
+#include "visualizer/window/known_part.hpp"
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
@@ -43,9 +44,12 @@ RayView::Scenery::Scenery(const Workbench& workbench, const Trace& trace,
     const bool near = old != nullptr && old->region.holds(fresh.centre, 1.6) &&
                       fresh.radius < 3 * old->region.radius && fresh.radius > old->region.radius / 8;
     moved = old != nullptr && !near;
+    whole = is_finished(trace.rays.front());
     region = near ? old->region : fresh;
-    // Of what the window itself changes, only the places of generics are seen in the shapes.
-    if (near && same_objects(old->surfaces, drawn) && same_places(old->bench->scene, workbench.scene))
+    // Of what the window itself changes, only the places of generics are seen in the shapes. Of a trace that is known in
+    // part other objects count as hit.
+    if (near && whole && old->whole && same_objects(old->surfaces, drawn) &&
+        same_places(old->bench->scene, workbench.scene))
         surfaces = old->surfaces;
     else
         surfaces = drawing::surfaces_near(workbench, trace, drawn, region);

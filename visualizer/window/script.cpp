@@ -213,6 +213,11 @@ const std::map<std::string, Deed, std::less<>>& deeds() {
              w.choose_stage(rest(words));
              return true;
          }},
+        {"level",
+         [](MainWindow& w, Words& words) {
+             w.octree.levels.setValue(next<int>(words));
+             return true;
+         }},
         {"tab",
          [](MainWindow& w, Words& words) {
              w.show_tab(QString::fromStdString(rest(words)));
