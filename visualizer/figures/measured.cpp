@@ -1,7 +1,7 @@
 // What accuracy costs, as it was measured: error against time, from the table that is kept with the lesson.
 
+#include "visualizer/drawing/placed_names.hpp"
 #include "visualizer/figures/figures.hpp"
-#include "visualizer/figures/placed_names.hpp"
 
 #include <fmt/format.h>
 
@@ -123,25 +123,34 @@ Svg error_against_time(const Subject& subject) {
     }
     std::sort(front.begin(), front.end(), [](Pixel a, Pixel b) { return a.x < b.x; });
     svg.path(front, {black, 2.5});
-    std::vector<NamedMark> groups;
+    std::vector<drawing::NamedMark> groups;
+    std::vector<Type> types;
     for (std::size_t i = 0; i < all.size();) { // marks over each other share a name
-        NamedMark group{marks[i], all[i].name, {letter_size, scalar_colour(all[i].scalar), all[i].on_front}};
+        std::string name = all[i].name;
+        Type type{letter_size, scalar_colour(all[i].scalar), all[i].on_front};
         std::size_t next = i + 1;
         for (; next < all.size() && std::abs(marks[next].x - marks[i].x) < 12 &&
                std::abs(marks[next].y - marks[i].y) < 6;
              ++next) {
-            group.name += ", " + all[next].name;
-            group.type.bold = group.type.bold && all[next].on_front;
-            if (all[next].scalar != all[i].scalar) group.type.colour = black;
+            name += ", " + all[next].name;
+            type.bold = type.bold && all[next].on_front;
+            if (all[next].scalar != all[i].scalar) type.colour = black;
         }
-        groups.push_back(std::move(group));
+        groups.push_back({marks[i], name, type.bold ? drawing::Font::bold : drawing::Font::sans, type.size});
+        types.push_back(type);
         i = next;
     }
     const drawing::Area room{cost_plot.x + 4, cost_plot.y, cost_plot.width + 20, cost_plot.height - 4};
-    const std::vector<PlacedName> names = place_names(groups, marks, front, room);
-    for (const PlacedName& name : names) svg.line(name.lead_from, name.lead_to, {grey, 1.2});
+    const auto names = drawing::place_names(groups, marks, front, room);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!names[i]) throw InputError("figures", {}, "no place for " + groups[i].name);
+        if (!names[i]->lead.empty()) svg.path(names[i]->lead, {grey, 1.2});
+    }
     for (std::size_t i = 0; i < all.size(); ++i) draw_mark(svg, marks[i], all[i].scalar, all[i].textbook);
-    for (std::size_t i = 0; i < groups.size(); ++i) svg.text(names[i].at, groups[i].name, groups[i].type);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const drawing::Area& area = names[i]->area;
+        svg.text({area.x + area.width / 2, area.y + area.height / 2}, groups[i].name, types[i]);
+    }
     draw_mark(svg, {430, 34}, "double", false);
     svg.text({446, 34}, "stable", {letter_size, black, false, Anchor::start});
     draw_mark(svg, {540, 34}, "double", true);
