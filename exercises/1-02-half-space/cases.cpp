@@ -27,4 +27,7 @@ void cases(Cases& c) {
     c.add("d.z = -0.0, above", ray(c, c.between(0.5, 4), -0.0));
 }
 
-Shown show(const Ray& r) { return {scene(generic("ground", "plane")), r}; }
+/// The half space, and where the answer says that the ray is inside.
+Shown show(const Ray& r, const Spans&, const Spans& answer) {
+    return {scene(answer_solids(r, answer) + generic("ground", "plane", dmat4(1), "clear")), r};
+}

@@ -45,4 +45,7 @@ void cases(Cases& c) {
     c.add("just above a cap", Ray{{-3, c.between(-0.5, 0.5), c.sign() * (1 + 1e-9)}, {1, 0, 0}});
 }
 
-Shown show(const Ray& r) { return {scene(generic("can", "cylinder")), r}; }
+/// The cylinder, and where the answer says that the ray is inside.
+Shown show(const Ray& r, const Spans&, const Spans& answer) {
+    return {scene(answer_solids(r, answer) + generic("can", "cylinder", dmat4(1), "clear")), r};
+}

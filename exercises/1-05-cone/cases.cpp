@@ -44,4 +44,7 @@ void cases(Cases& c) {
     c.add("up the axis", Ray{{0, 0, -c.whole(3, 6)}, {0, 0, 1}});
 }
 
-Shown show(const Ray& r) { return {scene(generic("cone", "cone")), r}; }
+/// The cone, and where the answer says that the ray is inside.
+Shown show(const Ray& r, const Spans&, const Spans& answer) {
+    return {scene(answer_solids(r, answer) + generic("cone", "cone", dmat4(1), "clear")), r};
+}

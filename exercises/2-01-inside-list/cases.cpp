@@ -53,21 +53,8 @@ void cases(Cases& c) {
     c.add("exit first, then touches, then enters", both);
 }
 
-/// Each span as a slab across the ray, which runs down from z = 0.
-Shown show(const Hits& h) {
-    std::string slabs;
-    std::map<double, int> net;
-    for (const Hit& hit : h) net[hit.t] += hit.enter ? 1 : -1;
-    double begin = -20;
-    int number = 0;
-    for (const auto& [t, count] : net) {
-        if (count > 0) begin = t;
-        if (count < 0) {
-            const dmat4 move = glm::translate(dmat4(1), dvec3(0, 0, -(begin + t) / 2));
-            slabs += generic("part" + std::to_string(++number), "cube",
-                             glm::scale(move, dvec3(1, 1, (t - begin) / 2)));
-        }
-    }
-    if (slabs.empty()) slabs = generic("part", "cube", glm::translate(dmat4(1), dvec3(3, 0, 0)));
-    return {scene(slabs, {12, 6, 2}), {{0, 0, 0}, {0, 0, -1}}};
+/// Each span of the answer as a slab across the ray.
+Shown show(const Hits&, const Spans&, const Spans& answer) {
+    const Ray r{{0, 0, 0}, {0, 0, -1}};
+    return {scene(answer_solids(r, answer), {12, 6, 2}), r};
 }

@@ -50,3 +50,12 @@ void cases(Cases& c) {
           std::vector<Spans>{{{t - 2, t}}, {{t, t + c.between(1, 2)}}});
     c.add("A | !A", std::vector<Node>{A, {'!', 0, 0}, {'|', 0, 1}}, 2, nested(c));
 }
+
+/// The leaves and the answer, each as slabs across the ray.
+Shown show(const std::vector<Node>&, int, const std::vector<Spans>& leaf, const Spans&, const Spans& answer) {
+    const Ray r{{0, 0, 0}, {0, 0, -1}};
+    std::string text = answer_solids(r, answer);
+    for (std::size_t i = 0; i < leaf.size(); ++i)
+        text += solids({static_cast<char>('A' + static_cast<int>(i))}, r, leaf[i]);
+    return {scene(text, {12, 6, 2}), r};
+}

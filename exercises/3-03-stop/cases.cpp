@@ -19,3 +19,24 @@ void cases(Cases& c) {
     c.add("nearly perfect, eps ends it", Coefficients{1, 1, 0.999}, 5000, 0.5);
     c.add("eps = 2^-20", Coefficients{0.5, some()}, 100, 1.0 / (1 << 20));
 }
+
+/// A ray that goes round between as many mirrors as there are coefficients, for ever. An answer is drawn as a limit on
+/// the number of rays.
+Shown show(std::vector<double> kr, int k, double eps, int right, int answer) {
+    constexpr int most = 256; // that a scene may ask for
+    if (kr.size() == 1) kr.push_back(kr.front());
+    std::string mirrors;
+    dvec3 first(0), last(0);
+    for (std::size_t i = 0; i < kr.size(); ++i) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(kr.size());
+        last = i == 1 && kr.size() == 2 ? -first : dvec3(std::cos(angle), std::sin(angle), 0);
+        if (i == 0) first = last;
+        const std::string name = "mirror" + std::to_string(i);
+        mirrors += "\n[materials." + name + "]\nambient = 0.1\ndiffuse = 0\nreflection = " + digits(kr[i]) +
+                   "\n" + generic(name, "plane", facing(last, -last), name);
+    }
+    const bool drawn = answer != right && answer >= 0 && answer <= most;
+    return {"[limits]\nmax_depth = " + std::to_string(drawn ? answer : std::min(k, most)) +
+                "\nmin_weight = " + digits(drawn ? 0 : eps) + "\n\n" + scene(mirrors, {0, 0, 0.9}),
+            {(first + last) / 2.0, first - last}};
+}

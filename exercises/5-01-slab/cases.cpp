@@ -43,10 +43,11 @@ void cases(Cases& c) {
     c.add("beside a flat box", Ray{{b.lo.x - 1, 0.75, middle.z}, {1, 0, 0.01}}, flat);
 }
 
-/// The box as a cube; what is flat is as thin as can be seen.
-Shown show(const Ray& r, const Box& b) {
+/// The box as a cube; what is flat is as thin as can be seen. And where the answer says that the ray is inside.
+Shown show(const Ray& r, const Box& b, const std::optional<Span>&, const std::optional<Span>& answer) {
     const dvec3 half = glm::max((b.hi - b.lo) / 2.0, dvec3(0.001)), middle = (b.lo + b.hi) / 2.0;
-    return {scene(generic("box", "cube", glm::scale(glm::translate(dmat4(1), middle), half)),
+    return {scene(answer_solids(r, answer ? Spans{*answer} : Spans{}) +
+                      generic("box", "cube", glm::scale(glm::translate(dmat4(1), middle), half), "clear"),
                   middle + dvec3(5, 4, 7), middle),
             r};
 }

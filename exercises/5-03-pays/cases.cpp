@@ -20,3 +20,11 @@ void cases(Cases& c) {
     c.add("a mesh", 2.0, 1e4, 0.999);
     c.add("a mesh that nearly every ray hits", 2.0, 1e4, 0.9999);
 }
+
+/// A ray that pays for both.
+Shown show(double, double, double) {
+    return {scene(generic("ball", "sphere")),
+            {{0.9, 0.85, 4}, {0, 0, -1}},
+            "The case has no ray. This one hits the box, and misses the ball in it: it pays for both tests.",
+            "extents"};
+}

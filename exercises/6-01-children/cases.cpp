@@ -39,3 +39,36 @@ void cases(Cases& c) {
     c.add("a flat object in the middle plane", b, at(b, {low(), low(), 0.5}, {low() + size, high(), 0.5}));
     c.add("a point at the centre", b, at(b, dvec3(0.5), dvec3(0.5)));
 }
+
+namespace {
+
+dvec3 upper(unsigned child) { return {child & 1U, (child >> 1U) & 1U, child >> 2U}; }
+dvec3 middle(const Box& cell, unsigned child) {
+    return cell.lo + (cell.hi - cell.lo) * (0.25 + 0.5 * upper(child));
+}
+
+/// Clear, and a little smaller, so that no two of them touch.
+std::string cube(const Box& cell, unsigned child) {
+    return generic("child" + std::to_string(child), "cube",
+                   glm::scale(glm::translate(dmat4(1), middle(cell, child)), 0.2475 * (cell.hi - cell.lo)),
+                   "clear");
+}
+
+} // namespace
+
+/// The object, and the children that are listed. The ray comes from beside the cell into one that is wrong.
+Shown show(const Box& cell, const Box& obj, unsigned right, unsigned drawn, unsigned answer) {
+    std::string text;
+    for (unsigned k = 0; k < 8; ++k)
+        if ((drawn >> k & 1U) != 0) text += cube(cell, k);
+    const dvec3 half = glm::max((obj.hi - obj.lo) / 2.0, dvec3(0.001));
+    text += generic("object", "cube", glm::scale(glm::translate(dmat4(1), (obj.lo + obj.hi) / 2.0), half),
+                    "clear");
+    const unsigned wrong = (right ^ answer) & 0xFFU;
+    const unsigned child = wrong == 0 ? 0 : static_cast<unsigned>(std::countr_zero(wrong));
+    const dvec3 out((child & 1U) != 0 ? 1 : -1, 0, 0);
+    return {scene(text, cell.hi + dvec3(4, 5, 6), (cell.lo + cell.hi) / 2.0),
+            {middle(cell, child) + out * (cell.hi - cell.lo) / 2.0, -out},
+            "The case has no ray. This one goes into child " + std::to_string(child) +
+                " of the cell; drawn are the children that an answer lists."};
+}

@@ -47,3 +47,19 @@ void cases(Cases& c) {
     c.add("in a middle plane, d = -0.0", cell, Ray{{c.sign(), 5, 0}, {0, -1, -0.0}});
     c.add("along the middle of the cell", cell, Ray{{0, 0, 5}, {0, 0, -1}});
 }
+
+/// The children in which the ray is, as clear cubes; that which it visits as the k-th is named after the answer's k-th.
+Shown show(const Box& b, const Ray& r, const std::vector<int>& right, const std::vector<int>& answer) {
+    std::string text;
+    std::set<int> named;
+    const dvec3 size = (b.hi - b.lo) / 4.0;
+    const auto add = [&](int place, int name) {
+        if (name < 0 || name > 7 || !named.insert(name).second) return;
+        const dvec3 upper(place & 1, (place >> 1) & 1, place >> 2);
+        text += generic("child" + std::to_string(name), "cube",
+                        glm::scale(glm::translate(dmat4(1), b.lo + size * (1.0 + 2.0 * upper)), 0.99 * size),
+                        "clear");
+    };
+    for (std::size_t k = 0; k < answer.size(); ++k) add(k < right.size() ? right[k] : answer[k], answer[k]);
+    return {scene(text, {6, 7, 9}), r};
+}

@@ -29,3 +29,23 @@ void cases(Cases& c) {
           Times{-in(a, b), INF, in(a, b), in(b, d)});
     c.add("at the start", Cells{{0, a, {0}}, {a, b, {1}}, {b, d, {0}}}, Times{0, in(a, b)});
 }
+
+/// The objects as thin walls across the ray, each where it is hit. What is drawn has no object in front of its hit.
+Shown show(const std::vector<Cell>&, const std::vector<double>& tHit, const Found& right, const Found& drawn,
+           const Found& answer) {
+    const auto hit = [&](int i) {
+        return i >= 0 && i < static_cast<int>(tHit.size()) ? tHit[static_cast<std::size_t>(i)] : INF;
+    };
+    const Ray r{{0, 0, 0}, {0, 0, -1}};
+    std::string text;
+    for (int i = 0; i < static_cast<int>(tHit.size()); ++i) {
+        const double t = hit(i), begin = t > 0 ? t : t - 0.2;
+        if (t < INF && !(t > 0 && t < hit(drawn.obj)))
+            text += generic("object" + std::to_string(i), "cube", across(r, begin, begin + 0.1));
+    }
+    const char* note =
+        "The object is right, the number of tests is not. This is how the tracer's octree comes "
+        "to the hit.";
+    const bool same = answer.obj == right.obj;
+    return {scene(text, {12, 6, 2}), r, same ? note : "", same ? "octree" : ""};
+}

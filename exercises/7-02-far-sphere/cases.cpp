@@ -38,8 +38,13 @@ void cases(Cases& c) {
     c.add("a near miss", Ray{{1 + c.between(1e-8, 2e-8), 0, c.between(4, 8)}, {0, 0, -1}}, dvec3(0), 1.0);
 }
 
-Shown show(const Ray& r, const dvec3& centre, double R) {
-    return {scene(generic("ball", "sphere", glm::scale(glm::translate(dmat4(1), centre), dvec3(R))),
-                  centre + 4 * R * dvec3(1, 1, 2), centre),
-            r};
+/// The ball, and where the answer says that the ray is inside.
+Shown show(const Ray& r, const dvec3& centre, double R, const std::optional<dvec2>&,
+           const std::optional<dvec2>& answer) {
+    const Spans chord = answer ? Spans{{answer->x - answer->y, answer->x + answer->y}} : Spans{};
+    return {
+        scene(answer_solids(r, chord) +
+                  generic("ball", "sphere", glm::scale(glm::translate(dmat4(1), centre), dvec3(R)), "clear"),
+              centre + 4 * R * dvec3(1, 1, 2), centre),
+        r};
 }

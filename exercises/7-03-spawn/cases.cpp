@@ -67,3 +67,10 @@ std::string judge(const dvec3& p, const dvec3& err, const dvec3& n, const dvec3&
     }
     return "";
 }
+
+/// The surface, seen from the start of the ray: an answer that lies elsewhere moves it.
+Shown show(const dvec3& p, const dvec3&, const dvec3& n, const dvec3& d, const dvec3& right,
+           const dvec3& answer) {
+    const dvec3 at = p + (right - answer);
+    return {scene(generic("surface", "plane", facing(at, n)), at + 4.0 * n + dvec3(1, 2, 3), at), {right, d}};
+}

@@ -1,5 +1,7 @@
 #include "exercises/grader/case_runner.hpp"
 
+#include "exercises/runner/time_limits.hpp"
+
 #include <fmt/format.h>
 
 #include <csignal>
@@ -10,7 +12,6 @@ namespace rayscope::exercises {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char *cpu_milliseconds = "1000", *wall_milliseconds = "20000";
 constexpr std::chrono::seconds patience{60}; // with the runner itself, which has limits of its own
 
 // Exit codes of the harness (harness/wire.cpp).
@@ -20,8 +21,7 @@ std::vector<std::string> runner_command(const Toolchain& toolchain, const fs::pa
                                         CaseRunner::Trust trust) {
     const bool own = trust == CaseRunner::Trust::own_code;
     const auto command = [&](const fs::path& runner, const fs::path& what) {
-        return std::vector<std::string>{runner.string(), what.string(), cpu_milliseconds, wall_milliseconds,
-                                        own ? "trusted" : "computing"};
+        return std::vector<std::string>{runner.string(), what.string(), own ? "trusted" : "computing"};
     };
     if (toolchain.safety() == Safety::unsafe) return command(toolchain.runner(), program);
     const std::vector<Bind> binds{{toolchain.runner(), "/runner"}, {program, "/program"}};
@@ -130,7 +130,9 @@ std::string text_of(const Outcome& outcome, int digits) {
     case OutcomeKind::not_written: return "not yet written (todo)";
     case OutcomeKind::threw: return "an exception";
     case OutcomeKind::crashed: return "a crash (" + signal_text(outcome.detail) + ")";
-    case OutcomeKind::timed_out: return "no answer within a second of computing";
+    case OutcomeKind::timed_out:
+
+        return fmt::format("no answer within {} s of computing", runner::most_computing.count() / 1000);
     case OutcomeKind::ended_early:
         return fmt::format("no answer: the program ended itself (exit code {})", outcome.detail);
     case OutcomeKind::no_value: return "bytes that are no answer";

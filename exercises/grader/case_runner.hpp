@@ -15,7 +15,7 @@ enum class OutcomeKind {
     not_written, ///< it stopped at todo()
     threw,       ///< an exception left the function
     crashed,     ///< a signal ended the program
-    timed_out,   ///< more than a second of computing, or twenty of waiting
+    timed_out,   ///< more than two seconds of computing, or twenty of waiting
     ended_early, ///< the program ended itself without an answer, or with an exit code
     no_value,    ///< what came back is no value
     too_much,    ///< it wrote without end

@@ -1,7 +1,9 @@
 #include "exercises/grader/cut_case.hpp"
 
 #include "core/scene/source_text.hpp"
-#include "core/trace/trace_json.hpp"
+#include "core/trace/trace_fields.hpp"
+#include "exercises/grader/event_case.hpp"
+#include "exercises/grader/trace_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,46 +24,35 @@ Trace read_trace(const std::filesystem::path& path) {
     }
 }
 
-std::string code(const Vec3d& v) { return fmt::format("dvec3({}, {}, {})", v.x, v.y, v.z); }
-
-/// The boundary on which the event happened: the last one before it.
-const BoundaryChosen* boundary_before(const TracedRay& ray, std::size_t event) {
-    const BoundaryChosen* last = nullptr;
-    for (std::size_t i = 0; i < event; ++i)
-        if (const auto* chosen = std::get_if<BoundaryChosen>(&ray.events[i])) last = chosen;
-    return last;
+std::string_view name_of(const Event& event) {
+    return std::visit(
+        [](const auto& one) -> std::string_view { return Fields<std::decay_t<decltype(one)>>::name; }, event);
 }
 
 } // namespace
 
-CutCase cut_case(const std::filesystem::path& path, int event) {
-    const Trace trace = read_trace(path);
-    const auto fail = [&](const std::string& message) { throw InputError(path.string(), {}, message); };
+CutCase cut_case(const Trace& trace, int event) {
+    const auto fail = [](const std::string& message) { throw InputError("--event", {}, message); };
     std::size_t total = 0;
     for (const TracedRay& ray : trace.rays) {
-        const std::size_t first = total, wanted = std::size_t(std::max(event, 0));
+        const std::size_t first = total;
         total += ray.events.size();
-        if (wanted >= total) continue;
-        const std::size_t index = wanted - first;
-        const BoundaryChosen* const at = boundary_before(ray, index);
-        const Event& what = ray.events[index];
-        const std::string about = fmt::format("event {} of {}", event, path.filename().string());
-        const Vec3d d = ray.start().direction;
-        if (at != nullptr && std::holds_alternative<Reflected>(what))
-            return {"3-01-mirror", fmt::format("c.add({}, {}, {}, {});", nlohmann::json(about).dump(),
-                                               code(at->point), code(d), code(at->facing))};
-        if (at != nullptr &&
-            (std::holds_alternative<Refracted>(what) || std::holds_alternative<TotallyReflected>(what)))
-            return {"4-02-refract",
-                    fmt::format("c.add({}, {}, {}, double({}), double({}));", nlohmann::json(about).dump(),
-                                code(d), code(at->facing), at->speed_from, at->speed_to)};
+        if (event < 0 || std::size_t(event) >= total) continue;
+        const EventPlace place{trace, ray, std::size_t(event) - first};
+        for (const auto find : {surface_case, inside_case, search_case, path_case})
+            if (const auto found = find(place); found && found->arguments.find("nan") == std::string::npos)
+                return {found->exercise,
+                        fmt::format("c.add(\"event {} of a recorded trace\", {});", event, found->arguments)};
         fail(fmt::format(
-            "event {} is none that an exercise asks for; expected reflected, refracted or totally_reflected",
-            event));
+            "event {} is '{}' of a ray of kind '{}', which no exercise's function answers; expected, "
+            "for example, reflected, refracted, boundary_chosen, node_evaluated or place_entered",
+            event, name_of(ray.events[place.index]), name_of(ray.start().kind)));
     }
     fail(fmt::format("there is no event {}; expected 0 to {}", event,
                      total - std::min<std::size_t>(total, 1)));
     return {};
 }
+
+CutCase cut_case(const std::filesystem::path& path, int event) { return cut_case(read_trace(path), event); }
 
 } // namespace rayscope::exercises

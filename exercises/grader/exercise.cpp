@@ -146,7 +146,7 @@ Exercise read_exercise(const fs::path& folder) {
     for (const auto& path : {exercise.task(), exercise.stub(), exercise.solution()}) (void)need_file(path);
     const std::string cases = need_file(exercise.cases());
     exercise.judged = std::regex_search(cases, std::regex(R"re(std::string\s+judge\s*\()re"));
-    exercise.shown = std::regex_search(cases, std::regex(R"re(Shown\s+show\s*\()re"));
+    exercise.shown = std::regex_search(cases, std::regex(R"re(Shown\s+show(_\w+)?\s*\()re"));
     return exercise;
 }
 

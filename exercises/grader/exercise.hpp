@@ -48,7 +48,8 @@ struct Exercise {
     std::vector<Misconception> misconceptions;
     std::vector<Prediction> predictions;
     bool judged = false; ///< cases.cpp has a judge(): many answers are right
-    bool shown = false;  ///< cases.cpp has a show(): a scene and a ray for each case
+    bool shown =
+        false; ///< cases.cpp has a show(): a scene and a ray for each case; of several functions show_NAME()
 
     [[nodiscard]] std::filesystem::path task() const { return folder / "README.md"; }
     [[nodiscard]] std::filesystem::path stub() const { return folder / "stub.hpp"; }

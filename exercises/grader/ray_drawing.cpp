@@ -1,82 +1,26 @@
 #include "exercises/grader/ray_drawing.hpp"
 
-#include "core/files/markup.hpp"
-#include "core/rayscope.hpp"
+#include "exercises/grader/divergence_text.hpp"
+#include "exercises/grader/ray_lanes.hpp"
+#include "exercises/grader/ray_paths.hpp"
 #include "exercises/grader/trace_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdlib>
 
 namespace rayscope::exercises {
 namespace {
 
-constexpr double drawing_width = 640, lane_height = 24, margin = 90;
-
-Ray<double> parsed(const std::string& text) {
-    std::array<double, 6> numbers{};
-    const char* at = text.c_str();
-    for (double& number : numbers) {
-        char* end = nullptr;
-        number = std::strtod(at, &end);
-        at = *end == ',' ? end + 1 : end;
-    }
-    return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+std::string legend_entry(const char* whose, const char* words) {
+    return fmt::format(
+        "<svg class=\"key\" viewBox=\"0 0 48 12\" aria-hidden=\"true\"><line class=\"{0}\" x1=\"2\" "
+        "y1=\"6\" x2=\"30\" y2=\"6\"/><rect class=\"{0}\" x=\"34\" y=\"1\" width=\"13\" "
+        "height=\"10\"/></svg> {1}\n",
+        whose, words);
 }
 
-/// From t to the place in the drawing.
-struct Scale {
-    double least = 0, most = 1;
-    [[nodiscard]] double operator()(double t) const {
-        const double share = (std::clamp(t, least, most) - least) / (most - least);
-        return margin + share * (drawing_width - margin - 10);
-    }
-};
-
-Scale scale_of(const std::vector<Spans<double>>& objects) {
-    Scale scale{0, 1};
-    for (const auto& list : objects)
-        for (const auto& span : list)
-            for (const double t : {span.enter.t, span.exit.t})
-                if (std::isfinite(t)) {
-                    scale.least = std::min(scale.least, t);
-                    scale.most = std::max(scale.most, t);
-                }
-    const double border = 0.1 * (scale.most - scale.least);
-    return {scale.least - border, scale.most + border};
-}
-
-/// A lane for each object: where the line of the ray is inside it.
-std::string lanes(const Workbench& bench, const Ray<double>& ray, const Trace& trace) {
-    const auto objects = spans(bench, ray);
-    const Scale x = scale_of(objects);
-    const double height = lane_height * double(objects.size() + 1);
-    std::string svg =
-        fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"inside intervals of the ray\">\n",
-                    drawing_width, height + 6);
-    const double start = x(0);
-    svg += fmt::format("<line class=\"start\" x1=\"{0:.1f}\" y1=\"0\" x2=\"{0:.1f}\" y2=\"{1}\"/>"
-                       "<text x=\"{0:.1f}\" y=\"{2}\">t = 0</text>\n",
-                       start, height - lane_height + 4, height);
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        const double y = lane_height * double(i);
-        const std::string name = i < trace.objects.size() ? trace.objects[i].name : "";
-        svg += fmt::format(
-            "<text x=\"2\" y=\"{:.1f}\">{}</text><line x1=\"{}\" y1=\"{:.1f}\" x2=\"{}\" y2=\"{:.1f}\"/>\n",
-            y + 16, in_markup(name), margin, y + 12, drawing_width - 10, y + 12);
-        for (const auto& span : objects[i])
-            svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"12\"><title>{:.6g} "
-                               "to {:.6g}</title></rect>\n",
-                               x(span.enter.t), y + 6, std::max(1.0, x(span.exit.t) - x(span.enter.t)),
-                               span.enter.t, span.exit.t);
-    }
-    return svg + "</svg>\n";
-}
-
-std::string rays_table(const Trace& trace) {
+std::string rays_table(const Trace& trace, const char* title) {
     constexpr std::size_t most_rows = 24;
     std::string rows;
     for (std::size_t i = 0; i < std::min(trace.rays.size(), most_rows); ++i) {
@@ -89,17 +33,33 @@ std::string rays_table(const Trace& trace) {
                             name_of(start.kind), vector_text(start.origin), vector_text(start.direction),
                             start.kind == RayKind::shadow ? "" : hit);
     }
-    return "<table><tr><th>ray</th><th>kind</th><th>from</th><th>direction</th><th>hits</th></tr>\n" + rows +
-           "</table>\n";
+    return fmt::format("<table><caption>{}</caption><tr><th>ray</th><th>kind</th><th>from</th>"
+                       "<th>direction</th><th>hits</th></tr>\n{}</table>\n",
+                       title, rows);
 }
 
 } // namespace
 
-std::string drawn_ray(const std::filesystem::path& scene, const std::string& ray) {
-    const Workbench bench = open(scene);
-    const Ray<double> given = parsed(ray);
-    const Trace trace = trace_ray(bench, given);
-    return lanes(bench, given, trace) + rays_table(trace);
+const char* const ray_drawing_style = R"(svg { width: 100%; font-size: 12px; } svg line { stroke: #999; }
+svg .start { stroke: #999; stroke-dasharray: 1 3; } svg text { fill: #222; }
+svg line.right { stroke: #2166ac; stroke-width: 5; } svg line.yours { stroke: #d6604d; stroke-width: 2.5; stroke-dasharray: 7 4; }
+svg rect.right { fill: #2166ac; stroke: #2166ac; } svg rect.yours { fill: #fff; stroke: #d6604d; stroke-width: 2; stroke-dasharray: 7 4; }
+svg circle.right { fill: #2166ac; } svg circle.yours { fill: #fff; stroke: #d6604d; stroke-width: 2; }
+svg.key { width: 4em; vertical-align: middle; } caption { text-align: left; font-weight: bold; padding-top: .6rem; }
+)";
+
+std::string drawn_runs(const ShownRuns& runs) {
+    const Trace* const yours = runs.yours ? &*runs.yours : nullptr;
+    std::string html = "<p>" + legend_entry("right", "right: solid line, filled bar");
+    if (yours != nullptr) html += "<br>" + legend_entry("yours", "yours: dashed line, hollow bar");
+    html += "</p>\n" + drawn_paths(runs.right, yours) + drawn_lanes(runs.right, yours);
+    if (yours != nullptr)
+        html += "<pre>" + in_markup(divergence_text(runs.right, *yours).text) + "</pre>\n";
+    else
+        html += "<p>No ray follows from this answer; what was expected and what came stands above.</p>\n";
+    html += rays_table(runs.right, "right");
+    if (runs.parted) html += rays_table(*yours, "yours");
+    return html;
 }
 
 } // namespace rayscope::exercises

@@ -136,21 +136,4 @@ std::string judged(CaseRunner& reference, const Case& asked, const Value& answer
     return "an answer of another shape";
 }
 
-std::optional<ShownCase> shown(const Toolchain& toolchain, const Reference& reference, const Case& asked) {
-    if (!reference.exercise->shown) return std::nullopt;
-    CaseRunner runner(toolchain, reference.program);
-    const Outcome outcome = runner.run({{"show"}, asked.call});
-    const auto* record = std::get_if<Record>(&outcome.value.content);
-    if (outcome.kind != OutcomeKind::answered || record == nullptr || record->fields.size() != 2)
-        return std::nullopt;
-    ShownCase result;
-    result.scene = std::get<std::string>(record->fields[0].value.content);
-    std::vector<std::string> numbers;
-    for (const auto& [end, vector] : std::get<Record>(record->fields[1].value.content).fields)
-        for (const auto& [axis, number] : std::get<Record>(vector.content).fields)
-            numbers.push_back(fmt::to_string(std::get<double>(number.content)));
-    for (const std::string& number : numbers) result.ray += (result.ray.empty() ? "" : ",") + number;
-    return result;
-}
-
 } // namespace rayscope::exercises

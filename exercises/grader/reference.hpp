@@ -37,11 +37,4 @@ struct Reference {
 /// What is wrong with a value that a judged exercise's function returned; empty if nothing is.
 [[nodiscard]] std::string judged(CaseRunner& reference, const Case& asked, const Value& answer);
 
-/// The scene file's text, and the ray in it, that show a case; nothing if the exercise has none.
-struct ShownCase {
-    std::string scene, ray; ///< the ray as --ray takes it
-};
-[[nodiscard]] std::optional<ShownCase> shown(const Toolchain& toolchain, const Reference& reference,
-                                             const Case& asked);
-
 } // namespace rayscope::exercises

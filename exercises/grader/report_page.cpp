@@ -1,7 +1,6 @@
 #include "exercises/grader/report_page.hpp"
 
 #include "core/files/markup.hpp"
-#include "core/scene/input_error.hpp"
 #include "exercises/grader/ray_drawing.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +15,6 @@ table { border-collapse: collapse; font-size: .9rem; } td, th { padding: .15rem 
 pre { background: #f4f4f4; padding: .6rem; white-space: pre-wrap; }
 code, pre { overflow-wrap: anywhere; }
 .says { border-left: 4px solid #b33; padding-left: .8rem; }
-svg { width: 100%; font-size: 12px; } svg line { stroke: #999; } svg .start { stroke: #b33; stroke-dasharray: 3 3; }
-svg rect { fill: #3779b8; } svg text { fill: #222; }
 @media (prefers-color-scheme: dark) { body { color: #ddd; background: #181818; } pre { background: #262626; } svg text { fill: #ddd; } }
 )";
 
@@ -30,7 +27,17 @@ std::string groups_table(const ExerciseMark& exercise) {
     return text + "</table>\n";
 }
 
-std::string exercise_section(const ExerciseMark& exercise, const std::filesystem::path& rays) {
+std::string ray_section(const std::string& id, const ShownRay& ray) {
+    std::string text = "<h3>The ray of this case</h3>\n";
+    if (!ray.note.empty()) text += "<p>" + in_markup(ray.note) + "</p>\n";
+    const std::string command =
+        ray.yours.empty()
+            ? fmt::format("rayscope step rays/{}.toml --ray={}", id, ray.ray)
+            : fmt::format("rayscope diff rays/{0}.toml rays/{0}.yours.toml --ray={1}", id, ray.ray);
+    return text + ray.drawing + "<p>Step through it: <code>" + in_markup(command) + "</code></p>\n";
+}
+
+std::string exercise_section(const ExerciseMark& exercise) {
     std::string text = fmt::format("<h2>{} {}: {} of {}</h2>\n", in_markup(exercise.id),
                                    in_markup(exercise.title), exercise.score, exercise.points);
     if (!exercise.handed_in) return text + "<p>Not handed in.</p>\n";
@@ -44,27 +51,19 @@ std::string exercise_section(const ExerciseMark& exercise, const std::filesystem
                 fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", in_markup(group.name), in_markup(group.output));
             break;
         }
-    if (!exercise.ray) return text;
-    const std::string file = exercise.id + ".toml";
-    try {
-        text += "<h3>The ray of this case, as it is right</h3>\n" + drawn_ray(rays / file, exercise.ray->ray);
-        text += fmt::format("<p>Step through it: <code>rayscope step rays/{} --ray={}</code></p>\n",
-                            in_markup(file), in_markup(exercise.ray->ray));
-    } catch (const InputError&) {
-        text += "<p>No scene shows this case.</p>\n"; // a box without volume, say
-    }
+    if (exercise.ray) text += ray_section(exercise.id, *exercise.ray);
     return text;
 }
 
 } // namespace
 
-std::string report_page(const SubmissionMark& mark, const std::filesystem::path& rays) {
-    std::string text =
-        fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
-                    "<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n{1}</style></head>\n"
-                    "<body>\n<h1>{0}</h1>\n<p>{2} of {3} points.</p>\n",
-                    in_markup(mark.student), style, mark.score, mark.points);
-    for (const ExerciseMark& exercise : mark.exercises) text += exercise_section(exercise, rays);
+std::string report_page(const SubmissionMark& mark) {
+    std::string text = fmt::format(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
+        "<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n{4}{1}</style></head>\n"
+        "<body>\n<h1>{0}</h1>\n<p>{2} of {3} points.</p>\n",
+        in_markup(mark.student), style, mark.score, mark.points, ray_drawing_style);
+    for (const ExerciseMark& exercise : mark.exercises) text += exercise_section(exercise);
     return text + "</body></html>\n";
 }
 

@@ -3,11 +3,11 @@
 
 #include "exercises/grader/results.hpp"
 
-#include <filesystem>
+#include <string>
 
 namespace rayscope::exercises {
 
-/// @param rays the folder with the scene of each wrong case, ID.toml
-[[nodiscard]] std::string report_page(const SubmissionMark& mark, const std::filesystem::path& rays);
+/// It names the scenes of wrong cases that lie beside it: rays/ID.toml and rays/ID.yours.toml.
+[[nodiscard]] std::string report_page(const SubmissionMark& mark);
 
 } // namespace rayscope::exercises

@@ -1,5 +1,7 @@
 #include "exercises/grader/results.hpp"
 
+#include "exercises/runner/time_limits.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -9,8 +11,9 @@
 namespace rayscope::exercises {
 namespace {
 
-// What the runner grants to a program that does not end: the first time, and from then on.
-constexpr double first_limit = 1, later_limit = 0.2;
+// What a program had that does not end: the first time, and from then on.
+constexpr double first_limit = std::chrono::duration<double>(runner::most_computing).count(),
+                 later_limit = std::chrono::duration<double>(runner::later_computing).count();
 
 double hundredths(double points) { return std::round(100 * points) / 100; }
 
@@ -108,7 +111,12 @@ nlohmann::json to_json(const SubmissionMark& mark) {
                              {"says", exercise.says},
                              {"problem", exercise.problem},
                              {"limits_used", exercise.limits_used}};
-        if (exercise.ray) entry["ray"] = {{"scene", exercise.ray->scene}, {"ray", exercise.ray->ray}};
+        if (const auto& ray = exercise.ray)
+            entry["ray"] = {{"scene", ray->scene},
+                            {"yours", ray->yours},
+                            {"ray", ray->ray},
+                            {"note", ray->note},
+                            {"drawing", ray->drawing}};
         exercises.push_back(std::move(entry));
     }
     return {{"student", mark.student},
@@ -134,7 +142,11 @@ SubmissionMark mark_from_json(const nlohmann::json& document) {
         exercise.says = entry.at("says");
         exercise.problem = entry.at("problem");
         exercise.limits_used = entry.at("limits_used");
-        if (entry.contains("ray")) exercise.ray = ShownRay{entry["ray"].at("scene"), entry["ray"].at("ray")};
+        if (entry.contains("ray")) {
+            const auto& ray = entry["ray"];
+            exercise.ray =
+                ShownRay{ray.at("scene"), ray.at("yours"), ray.at("ray"), ray.at("note"), ray.at("drawing")};
+        }
         for (const auto& group : entry.at("groups"))
             exercise.groups.push_back({group.at("name"), group.at("hidden"), group.at("score"),
                                        group.at("points"), group.at("right"), group.at("cases"),

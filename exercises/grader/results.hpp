@@ -20,7 +20,10 @@ struct GroupMark {
 
 /// The recorded ray of a wrong case.
 struct ShownRay {
-    std::string scene, ray; ///< a scene file's text; the ray as --ray takes it
+    std::string scene, yours; ///< scene files' texts: the second is that of the answer, or empty
+    std::string ray;          ///< as --ray takes it
+    std::string note;         ///< what it shows, where the case itself has no ray
+    std::string drawing;      ///< HTML: both runs
 };
 
 struct ExerciseMark {

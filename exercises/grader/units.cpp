@@ -84,15 +84,16 @@ Unit variants_unit(const Exercise& exercise, const std::vector<Variant>& variant
     text += "void rx_cases(Cases& made) { cases(made); }\n";
     text += "void rx_answer(int variant, wire::Reader& in, wire::Writer& out) {\n    switch (variant) {\n" +
             choice + "    }\n}\n";
-    const auto optional = [&](bool there, const char* name, const char* function) {
-        text += there
-                    ? fmt::format(
-                          "void {}(wire::Reader& in, wire::Writer& out) {{ wire::answer(in, out, ::{}); }}\n",
-                          name, function)
-                    : fmt::format("void {}(wire::Reader&, wire::Writer&) {{}}\n", name);
+    const auto optional = [&](bool there, const char* name, const std::string& functions) {
+        text +=
+            there
+                ? fmt::format("void {}(wire::Reader& in, wire::Writer& out) {{ wire::answer(in, out{}); }}\n",
+                              name, functions)
+                : fmt::format("void {}(wire::Reader&, wire::Writer&) {{}}\n", name);
     };
-    optional(exercise.judged, "rx_judge", "judge");
-    optional(exercise.shown, "rx_show", "show");
+    optional(exercise.judged, "rx_judge", ", ::judge");
+    optional(exercise.shown, "rx_show",
+             exercise.functions.size() == 1 ? ", ::show" : function_names(exercise, "::show_"));
     unit.files.push_back({"unit.cpp", text});
     return unit;
 }

@@ -91,10 +91,14 @@ private:
 struct Shown {
     std::string scene;
     Ray ray;
+    std::string note{};  ///< for the student: what the ray shows, where the case itself has none
+    std::string stage{}; ///< how hits are looked for, where that is what it shows: "extents", "octree"
 };
 template <> struct wire::Fields<Shown> {
     static constexpr const char* type = "Shown";
-    template <typename V, typename F> static void visit(V& v, F f) { f("scene", v.scene), f("ray", v.ray); }
+    template <typename V, typename F> static void visit(V& v, F f) {
+        f("scene", v.scene), f("ray", v.ray), f("note", v.note), f("stage", v.stage);
+    }
 };
 
 } // namespace rx

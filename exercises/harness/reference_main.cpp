@@ -1,7 +1,8 @@
 // The program that holds an exercise's cases, its solution and its misconceptions. Its first word says what is asked:
 //   cases SEED        the cases of a seed: group, about, call, group, …
 //   answer VARIANT    the answer of the solution (0) or of a misconception, from 1, to the call on stdin
-//   judge, show       of a call and an answer, of a call: a complaint or nothing; a scene and a ray
+//   judge             of a call and an answer: a complaint or nothing
+//   show              of a call, the right answer, the one to be drawn, and the student's: a scene and a ray
 
 #include "cases.hpp"
 

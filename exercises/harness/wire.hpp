@@ -40,6 +40,8 @@ public:
         return number;
     }
     char tag() { return take(1)[0]; }
+    /// Of the value that comes next, which stays.
+    [[nodiscard]] char next_tag() const { return rest_.empty() ? '\0' : rest_.front(); }
     std::string_view take(std::size_t count) {
         if (rest_.size() < count) throw std::runtime_error("an argument ends too early");
         const std::string_view part = rest_.substr(0, count);
@@ -200,6 +202,7 @@ inline void get(Reader& in, char& value) {
     get(in, text);
     value = text.empty() ? '\0' : text[0];
 }
+template <typename T> void get(Reader& in, std::optional<T>& value);
 template <typename T> void get(Reader& in, std::vector<T>& list);
 /// A record may come as a list of its fields, too.
 template <Record R> void get(Reader& in, R& record) {
@@ -221,6 +224,12 @@ template <Record R> void get(Reader& in, R& record) {
         if (tag == 'r') in.name();
         get(in, field);
     });
+}
+template <typename T> void get(Reader& in, std::optional<T>& value) {
+    if (in.next_tag() == 'n')
+        in.tag();
+    else
+        get(in, value.emplace());
 }
 template <typename T> void get(Reader& in, std::vector<T>& list) {
     if (const char tag = in.tag(); tag != 'l') unexpected(tag, "a list");

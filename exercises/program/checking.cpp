@@ -1,6 +1,7 @@
 #include "exercises/program/checking.hpp"
 
 #include "core/files/atomic_file.hpp"
+#include "exercises/grader/shown_case.hpp"
 #include "exercises/grader/units.hpp"
 #include "exercises/program/feedback.hpp"
 
@@ -18,24 +19,40 @@ std::string quoted(const fs::path& path) {
     return text + "'";
 }
 
-/// Writes the scene of the case and gives the command that opens its recorded ray.
-std::optional<std::string> ray_command(const Toolchain& toolchain, const Checked& checked,
-                                       const Workspace& workspace, bool show_hidden) {
+/// Writes the scenes of the case and gives the command that opens its recorded ray.
+std::optional<RayCommand> ray_command(const Toolchain& toolchain, const Checked& checked,
+                                      const Compiled& compiled, const Workspace& workspace,
+                                      bool show_hidden) {
     const Exercise& exercise = *checked.reference.exercise;
     const auto index = told_case(checked.reference, checked.grade, show_hidden);
     if (!index) return std::nullopt;
-    if (const auto show = shown(toolchain, checked.reference, checked.reference.cases[*index])) {
-        const fs::path folder = workspace.own_folder() / "rays";
-        fs::create_directories(folder);
-        const fs::path file = folder / (exercise.id + ".toml");
-        write_text_file(file, show->scene);
-        // Where the function stands for a formula of the tracer, both runs are shown, up to where they part.
-        const std::string with =
-            exercise.formula.empty() ? "" : fmt::format(" --with {}", quoted(workspace.file(exercise)));
-        return fmt::format("{} step {} --ray={}{}", launcher(), quoted(file), show->ray, with);
+    const auto runs = shown_runs(toolchain, checked.reference, *index, checked.grade.cases[*index].outcome,
+                                 compiled.program);
+    if (!runs) {
+        if (exercise.scene.empty()) return std::nullopt;
+        return RayCommand{fmt::format("{} step {}", launcher(), exercise.scene),
+                          "The case itself can't be drawn; this ray shows the same thing."};
     }
-    if (exercise.scene.empty()) return std::nullopt;
-    return fmt::format("{} step {}", launcher(), exercise.scene);
+    const ShownCase& show = runs->shown;
+    const fs::path folder = workspace.own_folder() / "rays";
+    fs::create_directories(folder);
+    const auto written = [&](const char* ending, const std::string& scene) {
+        const fs::path file = folder / (exercise.id + ending);
+        write_text_file(file, scene);
+        return quoted(file);
+    };
+    const std::string right = written(".toml", show.scene), ray = text_of(show.ray);
+    // Where the answer can be drawn, both runs are shown, up to where they part.
+    if (runs->parted && !show.yours.empty())
+        return RayCommand{
+            fmt::format("{} diff {} {} --ray={}", launcher(), right, written(".yours.toml", show.yours), ray),
+            "A is the right ray, B yours. " + show.note};
+    if (runs->parted)
+        return RayCommand{fmt::format("{} step {} --ray={} --with {}", launcher(), right, ray,
+                                      quoted(workspace.file(exercise))),
+                          show.note};
+    const std::string stage = show.stage.empty() ? "" : " --stage " + show.stage;
+    return RayCommand{fmt::format("{} step {} --ray={}{}", launcher(), right, ray, stage), show.note};
 }
 
 } // namespace
@@ -51,7 +68,7 @@ Checked check(const Context& context, const Toolchain& toolchain, const Exercise
     checked.grade = grade(toolchain, checked.reference, compiled);
     Feedback feedback{context.options.instructor, code, std::nullopt};
     if (workspace != nullptr) {
-        feedback.ray = ray_command(toolchain, checked, *workspace, feedback.show_hidden);
+        feedback.ray = ray_command(toolchain, checked, compiled, *workspace, feedback.show_hidden);
         workspace->update([&](Progress& progress) {
             Achievement& achievement = progress[exercise.id];
             achievement.best = std::max(achievement.best, checked.grade.score);

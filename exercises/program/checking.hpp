@@ -13,7 +13,7 @@ struct Checked {
     std::string text; ///< for the student
 };
 
-/// Checks the file. With a workspace the recorded ray of a wrong case is put there, and points are entered.
+/// Checks the file. With a workspace the scenes of a wrong case's ray are put there, and points are entered.
 [[nodiscard]] Checked check(const Context& context, const Toolchain& toolchain, const Exercise& exercise,
                             const std::filesystem::path& file, const Workspace* workspace);
 

@@ -116,7 +116,10 @@ std::string feedback_text(const Reference& reference, const Grade& grade, const 
                 wrapped(exercise.misconceptions[*grade.misconception].says, 4);
     else
         text += diagnostics_text(grade, false, feedback, file, screen);
-    if (feedback.ray) text += fmt::format("\n  See the ray ({}):\n    {}\n", exercise.picture, *feedback.ray);
+    if (feedback.ray) {
+        text += fmt::format("\n  See the ray ({}):\n    {}\n", exercise.picture, feedback.ray->command);
+        text += wrapped(feedback.ray->note, 4);
+    }
     return text;
 }
 

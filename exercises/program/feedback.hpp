@@ -6,10 +6,16 @@
 
 namespace rayscope::exercises {
 
+/// The command that opens a recorded ray.
+struct RayCommand {
+    std::string command;
+    std::string note; ///< what the ray shows, where the case itself has none
+};
+
 struct Feedback {
-    bool show_hidden = false;       ///< for instructors
-    std::string code;               ///< the student's file, to show lines of it
-    std::optional<std::string> ray; ///< the command that opens the recorded ray of the case
+    bool show_hidden = false;      ///< for instructors
+    std::string code;              ///< the student's file, to show lines of it
+    std::optional<RayCommand> ray; ///< of the case that is told
 };
 
 /// The case that is told: the first wrong one that may be shown.

@@ -4,6 +4,7 @@
 #include "core/math/hash.hpp"
 #include "core/scene/source_text.hpp"
 #include "exercises/grader/parallel.hpp"
+#include "exercises/grader/ray_drawing.hpp"
 #include "exercises/grader/report_page.hpp"
 #include "exercises/grader/submissions.hpp"
 #include "exercises/grader/units.hpp"
@@ -119,11 +120,16 @@ private:
             nothing.problem = code.problem;
             return mark_of(reference, grade(toolchain_, reference, nothing), true);
         }
-        const Grade result = grade(toolchain_, reference, code.text);
+        const PrivateFolder folder(toolchain_.cache());
+        const Compiled compiled =
+            toolchain_.compile(answer_unit(*reference.exercise, code.text), folder.path() / "program");
+        const Grade result = grade(toolchain_, reference, compiled);
         ExerciseMark mark = mark_of(reference, result, true);
         if (const auto index = told_case(reference, result, false))
-            if (const auto show = shown(toolchain_, reference, reference.cases[*index]))
-                mark.ray = {show->scene, show->ray};
+            if (const auto runs =
+                    shown_runs(toolchain_, reference, *index, result.cases[*index].outcome, compiled.program))
+                mark.ray = {runs->shown.scene, runs->parted ? runs->shown.yours : "",
+                            text_of(runs->shown.ray), runs->shown.note, drawn_runs(*runs)};
         return mark;
     }
 
@@ -134,9 +140,11 @@ private:
             if (exercise.ray) {
                 fs::create_directories(folder / "rays");
                 write_text_file(folder / "rays" / (exercise.id + ".toml"), exercise.ray->scene);
+                if (!exercise.ray->yours.empty())
+                    write_text_file(folder / "rays" / (exercise.id + ".yours.toml"), exercise.ray->yours);
             }
         write_text_file(folder / "results.json", gradescope_text(mark));
-        write_text_file(folder / "report.html", report_page(mark, folder / "rays"));
+        write_text_file(folder / "report.html", report_page(mark));
     }
 
     const Toolchain& toolchain_;

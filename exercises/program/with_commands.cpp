@@ -1,10 +1,10 @@
 // render and step with a student's function in place of ours: the picture that it makes, and where a ray goes another way.
 
 #include "core/scene/input_error.hpp"
+#include "exercises/grader/divergence_text.hpp"
 #include "exercises/grader/served_formulas.hpp"
 #include "exercises/grader/units.hpp"
 #include "exercises/program/commands.hpp"
-#include "exercises/program/divergence_text.hpp"
 #include "exercises/program/failure.hpp"
 #include "exercises/program/screen.hpp"
 #include "exercises/program/workspace.hpp"

@@ -1,14 +1,15 @@
 #pragma once
 // One run of a program that nobody trusts: its words and input go in, how it ended and what it wrote come out.
 
-#include <chrono>
+#include "exercises/runner/time_limits.hpp"
+
 #include <string>
 #include <vector>
 
 namespace rayscope::runner {
 
 struct Limits {
-    std::chrono::milliseconds cpu{1000}, wall{20000};
+    std::chrono::milliseconds cpu = most_computing, wall = most_waiting;
     bool computing_only =
         true; ///< false for programs with sanitizers, which need more than untrusted code gets
 };

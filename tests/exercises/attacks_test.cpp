@@ -100,6 +100,18 @@ TEST_F(Grader, rewards_no_answers_learnt_by_heart) {
     EXPECT_LE(other.score, honest_score());
 }
 
+// One case of all takes longer than a second of the processor, and less than two.
+TEST_F(Grader, grants_two_seconds_of_computing) {
+    const Grade result = grade(toolchain(), sphere(), R"(#include <ctime>
+Spans sphere(const Ray& r) {
+    if (glm::dot(r.d, r.d) == 4 && (r.d.x == 0 || r.d.y == 0))
+        while (std::clock() < CLOCKS_PER_SEC * 3 / 2) {
+        }
+    return {};
+})");
+    for (const CaseResult& one : result.cases) EXPECT_EQ(one.outcome.kind, OutcomeKind::answered);
+}
+
 TEST_F(Grader, gives_the_same_verdict_after_all_that) {
     const std::string solution = content_of(sphere().exercise->solution());
     EXPECT_TRUE(grade(toolchain(), sphere(), solution).all_right());

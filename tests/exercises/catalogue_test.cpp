@@ -33,17 +33,6 @@ TEST(Catalogue, hides_the_hard_group_alone) {
             EXPECT_EQ(group.hidden, group.name == "hard") << exercise.id;
 }
 
-std::vector<std::string> ids() {
-    std::vector<std::string> all;
-    for (const Exercise& exercise : catalogue()) all.push_back(exercise.id);
-    return all;
-}
-std::string test_name(const testing::TestParamInfo<std::string>& info) {
-    std::string name = info.param;
-    for (char& c : name)
-        if (c == '-') c = '_';
-    return name;
-}
 std::vector<std::uint64_t> seeds(std::uint64_t count) {
     std::vector<std::uint64_t> list;
     for (std::uint64_t seed = 1; seed <= count; ++seed) list.push_back(seed);
@@ -54,13 +43,15 @@ class Exercises : public InSandbox, public testing::WithParamInterface<std::stri
 TEST_P(Exercises, test_what_they_say) {
     EXPECT_THAT(problems_of(toolchain(), find_exercise(catalogue(), GetParam()), seeds(3)), IsEmpty());
 }
-INSTANTIATE_TEST_SUITE_P(Quick, Exercises, testing::ValuesIn(ids()), test_name);
+INSTANTIATE_TEST_SUITE_P(Quick, Exercises, testing::ValuesIn(ids()),
+                         [](const auto& one) { return test_name(one.param); });
 
 class ExercisesFull : public Exercises {};
 TEST_P(ExercisesFull, test_what_they_say_for_100_seeds) {
     EXPECT_THAT(problems_of(toolchain(), find_exercise(catalogue(), GetParam()), seeds(100)), IsEmpty());
 }
-INSTANTIATE_TEST_SUITE_P(Slow, ExercisesFull, testing::ValuesIn(ids()), test_name);
+INSTANTIATE_TEST_SUITE_P(Slow, ExercisesFull, testing::ValuesIn(ids()),
+                         [](const auto& one) { return test_name(one.param); });
 
 TEST(Renamed, changes_variables_and_nothing_else) {
     Exercise exercise;

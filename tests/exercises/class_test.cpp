@@ -92,6 +92,27 @@ TEST_F(Class, has_tables_that_tell_what_went_wrong) {
                 HasSubstr("A cube is not cheaper than a sphere"));
 }
 
+TEST_F(Class, has_reports_that_draw_the_wrong_ray_over_the_right_one) {
+    const Exercise &mirror = find_exercise(catalogue(), "mirror"), &stop = find_exercise(catalogue(), "stop");
+    hand_in("ada", content_of(mirror.solution()), mirror);
+    hand_in("ben", content_of(mirror.folder / "misconceptions/slide.hpp"), mirror);
+    hand_in("cy", content_of(stop.folder / "misconceptions/single.hpp"), stop);
+    const fs::path students = graded("output") / "students";
+    const auto report = [&](const char* student) { return content_of(students / student / "report.html"); };
+    EXPECT_THAT(report("ada"), Not(HasSubstr("The ray of this case")));
+    for (const char* student : {"ben", "cy"}) {
+        EXPECT_THAT(report(student), HasSubstr("right: solid line, filled bar"));
+        EXPECT_THAT(report(student), HasSubstr("yours: dashed line, hollow bar"));
+        EXPECT_THAT(report(student), HasSubstr("<line class=\"right\" x1"));
+        EXPECT_THAT(report(student), HasSubstr("<line class=\"yours\" x1"));
+    }
+    EXPECT_THAT(report("ben"), HasSubstr("The first divergence, at ray 0: the direction of a ray"));
+    EXPECT_THAT(report("cy"), HasSubstr(": whether a ray goes on"));
+    EXPECT_TRUE(fs::exists(students / "cy/rays/3-03-stop.yours.toml"));
+    EXPECT_THAT(report("cy"),
+                HasSubstr("rayscope diff rays/3-03-stop.toml rays/3-03-stop.yours.toml --ray="));
+}
+
 TEST_F(Class, has_results_in_the_form_of_gradescope) {
     hand_in("ben", content_of(pays().misconceptions[0].file));
     const auto results = nlohmann::json::parse(content_of(graded("output") / "students/ben/results.json"));

@@ -9,6 +9,18 @@ const std::vector<exercises::Exercise>& catalogue() {
     return all;
 }
 
+std::vector<std::string> ids() {
+    std::vector<std::string> all;
+    for (const exercises::Exercise& exercise : catalogue()) all.push_back(exercise.id);
+    return all;
+}
+
+std::string test_name(std::string id) {
+    for (char& c : id)
+        if (c == '-') c = '_';
+    return id;
+}
+
 const exercises::Toolchain& toolchain() {
     static const auto made = [] {
         setenv("RAYSCOPE_EXERCISES_CACHE", std::filesystem::absolute("exercises-cache").c_str(), 0);

@@ -15,6 +15,10 @@ namespace rayscope::test {
 
 /// All shipped exercises.
 [[nodiscard]] const std::vector<exercises::Exercise>& catalogue();
+/// Their ids, for tests of each of them.
+[[nodiscard]] std::vector<std::string> ids();
+/// An id, or what else such a test is named by, as GoogleTest takes it.
+[[nodiscard]] std::string test_name(std::string id);
 
 /// The sandbox and the compiler, with a cache of the tests' own.
 [[nodiscard]] const exercises::Toolchain& toolchain();

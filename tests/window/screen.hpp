@@ -4,6 +4,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace rayscope::test {
@@ -25,6 +26,15 @@ public:
 private:
     pid_t process_ = -1;
     int number_ = -1;
+};
+
+/// Tests of the window, which need a screen.
+class Window : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!screen.works()) GTEST_SKIP() << "there is no Xvfb";
+    }
+    Screen screen;
 };
 
 /// What the window reported of each line of a script.

@@ -17,14 +17,6 @@ using testing::HasSubstr;
 
 const std::string scenes = RAYSCOPE_SOURCE_DIR "/chapters/";
 
-class Window : public testing::Test {
-protected:
-    void SetUp() override {
-        if (!screen.works()) GTEST_SKIP() << "there is no Xvfb";
-    }
-    Screen screen;
-};
-
 /// The answers of the terminal to the same moves.
 std::vector<json> terminal_states(const std::string& scene, const std::vector<std::string>& moves) {
     const TemporaryFolder folder;
@@ -178,7 +170,7 @@ TEST_F(Window, real_keys_and_clicks_arrive) {
                                  "search --sync --onlyvisible --name ' rayscope' windowfocus --sync " +
                                  "key --delay 60 n n s shift+n Home i s s colon 2>/dev/null";
         const std::string words = display + "type --delay 30 'goto 3' 2>/dev/null; " + display + "key Return";
-        (void)!std::system((keys + "; sleep 0.3; " + words).c_str());
+        (void)!std::system((keys + "; sleep 2; " + words).c_str());
     });
     const Reports window = run_window(screen, "prism", "until 1 2\nuntil 3 0\n");
     ASSERT_EQ(window.lines.size(), 2U) << window.outcome.err;

@@ -1,8 +1,8 @@
 #include "visualizer/drawing/accuracy_chart.hpp"
 
 #include "visualizer/drawing/flat_picture.hpp"
-#include "visualizer/drawing/labels.hpp"
 #include "visualizer/drawing/log_axis.hpp"
+#include "visualizer/drawing/placed_names.hpp"
 #include "visualizer/drawing/text.hpp"
 
 #include <vtkChartXY.h>
@@ -120,12 +120,17 @@ private:
         return table;
     }
 
-    void add_front() {
+    [[nodiscard]] std::vector<const MeasuredPoint*> front_points() const {
         std::vector<const MeasuredPoint*> front;
         for (const MeasuredPoint& p : file_.points)
             if (p.on_front) front.push_back(&p);
         std::sort(front.begin(), front.end(),
                   [](const auto* a, const auto* b) { return a->seconds < b->seconds; });
+        return front;
+    }
+
+    void add_front() {
+        const auto front = front_points();
         if (front.size() < 2) return; // a line has two ends
         vtkNew<vtkPlotLine> line;
         line->SetInputData(table_of(front), 0, 1);
@@ -181,18 +186,27 @@ private:
     void draw_labels() {
         const double top = pixel_of(1, std::pow(10, chart_->GetAxis(vtkAxis::LEFT)->GetMaximum())).y;
         const double bottom = pixel_of(1, std::pow(10, chart_->GetAxis(vtkAxis::LEFT)->GetMinimum())).y;
-        const std::vector<FlatSegment> no_strokes;
-        LabelPlacer placer({left(), top, right() - left(), bottom - top}, no_strokes);
+        std::vector<NamedMark> names;
+        std::vector<Pixel> marks, front;
         for (const MeasuredPoint& p : file_.points) {
-            const Pixel at = pixel_of(milliseconds(p), error(p));
-            placer.reserve({at.x - font_ * 0.4, at.y - font_ * 0.4, font_ * 0.8, font_ * 0.8});
+            marks.push_back(pixel_of(milliseconds(p), error(p)));
+            names.push_back({marks.back(), short_name(p, file_.points.front()),
+                             p.on_front ? Font::bold : Font::sans, font_});
         }
-        for (const bool on_front : {true, false})
-            for (const MeasuredPoint& p : file_.points)
-                if (p.on_front == on_front)
-                    placer.place(canvas_, {short_name(p, file_.points.front()),
-                                           pixel_of(milliseconds(p), error(p)), colour_of(p.scalar), font_,
-                                           on_front ? Font::bold : Font::sans, font_ * 0.6});
+        for (const MeasuredPoint* p : front_points()) front.push_back(pixel_of(milliseconds(*p), error(*p)));
+        const auto placed = place_names(names, marks, front, {left(), top, right() - left(), bottom - top});
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (!placed[i]) continue;
+            const Area& area = placed[i]->area;
+            const Rgb colour = colour_of(file_.points[i].scalar);
+            if (!placed[i]->lead.empty()) canvas_.add(Stroke{placed[i]->lead, colour, 1, false});
+            canvas_.add(Text{{area.x + area.width / 2, area.y + area.height / 2},
+                             names[i].name,
+                             font_,
+                             colour,
+                             names[i].font,
+                             Align::centre});
+        }
     }
 
     void draw_texts() {

@@ -83,7 +83,7 @@ Svg expression_tree(const Subject& subject) {
         std::string numbers;
         for (const auto& [enter, exit] : list)
             numbers +=
-                (numbers.empty() ? "" : "  ") + std::string("[") + digits(enter) + ", " + digits(exit) + "]";
+                (numbers.empty() ? "" : "  ") + std::string("(") + digits(enter) + ", " + digits(exit) + ")";
         svg.rectangle({line(1.4), y - 18, 15 * 7.2, 58}, {white, 0.9});
         svg.line({line(2), y}, {line(8), y}, {pale, 4});
         for (const auto& [enter, exit] : list)
@@ -102,7 +102,7 @@ Svg bowl_cut(const Subject& subject) {
         coloured(subject.bench.scene, {{"outer", sky_blue}, {"inner", orange}, {"mouth", purple}});
     const Stand stand{{0.42, 0.42, 1}, {0, 1, 0}, {0, 0.18, 0}, 1.75, 0.98, false, 1.5, {}};
     const Solid parts(svg, {0, 30, 330, 360}, apart(scene, {"outer", "inner", "mouth"}), stand);
-    svg.text({165, 20}, "the generics", {20, black, true});
+    svg.text({165, 16}, "the generics", {20, black, true});
     svg.line(parts({-0.95, -0.3, 0}, 0, 0), parts({-1.3, -0.75, 0}), {black, 1.5});
     svg.text(parts({-1.36, -0.88, 0}), "A", {26, black, true});
     svg.line(parts({0.6, -0.6, 0}, 0, 0), parts({1.2, -0.95, 0}), {black, 1.5});
@@ -117,7 +117,7 @@ Svg bowl_cut(const Subject& subject) {
     const auto part = [&](std::size_t i) {
         return section(sheet, -1.1, 1.55, [&](const Ray<double>& ray) { return list_of(generics, ray, i); });
     };
-    svg.text({500, 20}, "cut open at z = 0", {20, black, true});
+    svg.text({500, 16}, "cut open at z = 0", {20, black, true});
     svg.area(part(2), {purple, 0.22});
     svg.area(section(sheet, -1.1, 1.55, [&](const Ray<double>& ray) { return list_of(bowl, ray); }),
              {blue, 0.75});
@@ -130,7 +130,7 @@ Svg bowl_cut(const Subject& subject) {
     svg.text(sheet({0, 0.6, 0}), "C", {24, Rgb{0x99, 0x45, 0x77}, true});
 
     const Solid result(svg, {670, 30, 330, 360}, bowl, stand);
-    svg.text({835, 20}, "what is left", {20, black, true});
+    svg.text({835, 16}, "what is left", {20, black, true});
     svg.text({165, 420}, "A, B: spheres, C: a cone", {20});
     svg.text({500, 420}, "A − B, opened by C", {20});
     svg.text({835, 420}, "(A − B) − C", {22, black, true});

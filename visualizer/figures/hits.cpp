@@ -113,6 +113,7 @@ Svg sixteen_functions(const Subject& subject) {
                   {grey, 1.2});
         svg.text({x, y + half_height * 58 + 19}, function.name, {20, black, true});
     }
+    svg.text({500, 788}, "blue: bounded; orange: without end.  A △ B is (A − B) ∪ (B − A)", {20});
     return svg;
 }
 

@@ -12,6 +12,10 @@ double draw_lanes(Svg& svg, const Line& line, double y, const std::vector<Lane>&
     const double axis = y + line.lane * double(lanes.size());
     for (const Lane& lane : lanes) {
         svg.text({line.names, y}, lane.name, {22, black, true, Anchor::start});
+        if (lane.name_only) {
+            y += line.lane;
+            continue;
+        }
         svg.line({line(line.low), y}, {line(line.high), y}, {pale, 2});
         if (lane.list.empty()) svg.text({line((line.low + line.high) / 2), y}, "empty", {18, grey});
         for (const auto& [enter, exit] : lane.list) {

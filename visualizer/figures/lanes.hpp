@@ -9,6 +9,7 @@ struct Lane {
     std::string name;
     List list;
     Rgb colour;
+    bool name_only = false; ///< who asked draws the rest of it
 };
 
 struct Line {

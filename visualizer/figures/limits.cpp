@@ -103,7 +103,7 @@ Svg depth_and_weight(const Subject& subject) {
         mark(svg, i, {x_of(series.ends), y_grey(series.grey[end])}, series.colour);
         svg.text({x_of(deepest) + 12, grey_line.back().y}, digits(series.coefficient),
                  {20, series.colour, true, Anchor::start});
-        constexpr Pixel beside[] = {{630, 572}, {266, 572}, {122, 566}};
+        constexpr Pixel beside[] = {{630, 560}, {266, 560}, {122, 560}};
         svg.text(beside[i], digits(series.coefficient), {20, series.colour, true});
         mark(svg, i, {x_of(series.ends), y_cut(series.cut[end])}, series.colour);
     }

@@ -1,5 +1,6 @@
 // What accuracy costs, as it was measured: error against time, from the table that is kept with the lesson.
 
+#include "visualizer/drawing/placed_names.hpp"
 #include "visualizer/figures/figures.hpp"
 
 #include <fmt/format.h>
@@ -81,66 +82,6 @@ void draw_mark(Svg& svg, Pixel p, const std::string& scalar, bool textbook) {
         svg.dot(p, 8, scalar_colour(scalar));
 }
 
-/// Each name stands where nothing else does: beside its mark, or above or below it at the end of a thin line.
-class PlacedNames {
-public:
-    explicit PlacedNames(const std::vector<Pixel>& marks) {
-        for (const Pixel& p : marks) taken_.push_back({p.x - 10, p.y - 10, 20, 20});
-    }
-    void place(Svg& svg, Pixel mark, const Measured& point) {
-        const double width = 0.61 * letter_size * double(point.name.size()) + 8, height = letter_size + 6;
-        std::vector<drawing::Area> candidates{{mark.x + 12, mark.y - height / 2, width, height},
-                                              {mark.x - 12 - width, mark.y - height / 2, width, height}};
-        for (double away = 30; away < 330; away += height / 2)
-            for (const double side : {-1.0, 1.0})
-                for (const double before : {4.0, width / 2, width - 4})
-                    candidates.push_back({mark.x - before, mark.y + side * away - height / 2, width, height});
-        const auto free = [&](const drawing::Area& area) {
-            return area.x > cost_plot.x + 4 && area.right() < cost_plot.right() + 24 &&
-                   area.y > cost_plot.y && area.bottom() < cost_plot.bottom() - 4 &&
-                   std::none_of(
-                       taken_.begin(), taken_.end(), [&](const auto& t) { return t.overlaps(area); });
-        };
-        const auto lead_of = [&](const drawing::Area& area) { // a thin line, straight up or down
-            const double end = area.y > mark.y ? area.y : area.bottom(),
-                         begin = mark.y + (end > mark.y ? 10 : -10);
-            return drawing::Area{mark.x - 2, std::min(begin, end), 4, std::abs(end - begin)};
-        };
-        auto found = std::find_if(candidates.begin(), candidates.end(), [&](const drawing::Area& area) {
-            if (!free(area)) return false;
-            if (&area - candidates.data() < 2) return true;
-            return std::none_of(taken_.begin(), taken_.end(), [&](const auto& t) {
-                const bool beside = std::abs(t.y + t.height / 2 - mark.y) < 4; // marks of the same error
-                return !beside && t.overlaps(lead_of(area));
-            });
-        });
-        // Where there is no other way, a thin line crosses another one.
-        if (found == candidates.end()) found = std::find_if(candidates.begin(), candidates.end(), free);
-        if (found == candidates.end()) throw InputError("figures", {}, "no place for " + point.name);
-        taken_.push_back(*found);
-        const Pixel middle{found->x + found->width / 2, found->y + height / 2};
-        if (found - candidates.begin() >= 2) {
-            const drawing::Area lead = lead_of(*found);
-            svg.line({mark.x, lead.y}, {mark.x, lead.bottom()}, {grey, 1.2});
-            taken_.push_back(lead);
-        }
-        words_.push_back({middle, point.name, scalar_colour(point.scalar), point.on_front});
-    }
-    void write(Svg& svg) const {
-        for (const Word& word : words_) svg.text(word.at, word.text, {letter_size, word.colour, word.bold});
-    }
-
-private:
-    struct Word {
-        Pixel at;
-        std::string text;
-        Rgb colour;
-        bool bold;
-    };
-    std::vector<drawing::Area> taken_;
-    std::vector<Word> words_;
-};
-
 } // namespace
 
 Svg error_against_time(const Subject& subject) {
@@ -182,32 +123,39 @@ Svg error_against_time(const Subject& subject) {
     }
     std::sort(front.begin(), front.end(), [](Pixel a, Pixel b) { return a.x < b.x; });
     svg.path(front, {black, 2.5});
-    PlacedNames names(marks);
-    std::vector<std::pair<Pixel, Measured>> groups;
+    std::vector<drawing::NamedMark> groups;
+    std::vector<Type> types;
     for (std::size_t i = 0; i < all.size();) { // marks over each other share a name
-        Measured group = all[i];
+        std::string name = all[i].name;
+        Type type{letter_size, scalar_colour(all[i].scalar), all[i].on_front};
         std::size_t next = i + 1;
         for (; next < all.size() && std::abs(marks[next].x - marks[i].x) < 12 &&
                std::abs(marks[next].y - marks[i].y) < 6;
              ++next) {
-            group.name += ", " + all[next].name;
-            group.on_front = group.on_front && all[next].on_front;
-            if (all[next].scalar != group.scalar) group.scalar.clear();
+            name += ", " + all[next].name;
+            type.bold = type.bold && all[next].on_front;
+            if (all[next].scalar != all[i].scalar) type.colour = black;
         }
-        groups.emplace_back(marks[i], group);
+        groups.push_back({marks[i], name, type.bold ? drawing::Font::bold : drawing::Font::sans, type.size});
+        types.push_back(type);
         i = next;
     }
-    // The long ones first: they find the fewest places.
-    std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
-        return a.second.name.size() > b.second.name.size();
-    });
-    for (const auto& [mark, group] : groups) names.place(svg, mark, group);
+    const drawing::Area room{cost_plot.x + 4, cost_plot.y, cost_plot.width + 20, cost_plot.height - 4};
+    const auto names = drawing::place_names(groups, marks, front, room);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!names[i]) throw InputError("figures", {}, "no place for " + groups[i].name);
+        if (!names[i]->lead.empty()) svg.path(names[i]->lead, {grey, 1.2});
+    }
     for (std::size_t i = 0; i < all.size(); ++i) draw_mark(svg, marks[i], all[i].scalar, all[i].textbook);
-    names.write(svg);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const drawing::Area& area = names[i]->area;
+        svg.text({area.x + area.width / 2, area.y + area.height / 2}, groups[i].name, types[i]);
+    }
     draw_mark(svg, {430, 34}, "double", false);
     svg.text({446, 34}, "stable", {letter_size, black, false, Anchor::start});
     draw_mark(svg, {540, 34}, "double", true);
     svg.text({556, 34}, "textbook", {letter_size, black, false, Anchor::start});
+    svg.text({424, 58}, "orange: double, black: several", {letter_size, black, false, Anchor::start});
     svg.line({680, 34}, {720, 34}, {black, 2.5});
     svg.text({730, 34}, "front: no other is", {letter_size, black, true, Anchor::start});
     svg.text({730, 58}, "quicker and better", {letter_size, black, true, Anchor::start});

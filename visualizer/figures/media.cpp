@@ -110,9 +110,8 @@ Svg nested_media(const Subject& subject) {
     const double axis = draw_lanes(svg, line, 530,
                                    {{"inside the lake", list("lake"), sky_blue},
                                     {"inside the block", list("block"), green},
-                                    {"medium", {}, grey}});
+                                    {"medium", {}, grey, true}});
     const double y = axis - line.lane;
-    svg.rectangle({line(line.low) - 2, y - 16, line(line.high) - line(line.low) + 4, 32}, {white});
     for (const Stretch& stretch : media_along(subject.bench, ray, line.low, line.high)) {
         const bool block = stretch.medium == "block", lake = stretch.medium == "lake";
         const Rgb colour = block ? green : lake ? sky_blue : pale;

@@ -158,12 +158,14 @@ Svg critical_angle(const Subject& subject) {
         const BoundaryChosen& hit = hit_of(trace, 0);
         const Sheet here{hit.point, {1, 0, 0}, {0, 1, 0}, {shown.x, level}, 185};
         const Vec3d p = hit.point, n = hit.facing;
-        svg.line(here(p - Vec3d{0, 0.9, 0}), here(p + Vec3d{0, 0.9, 0}), {grey, 1.5, "3 5"});
+        const auto* bent = trace.rays[0].find<Refracted>();
+        const double above = bent != nullptr ? 0.9 : 0.62; // below the words
+        svg.line(here(p - Vec3d{0, 0.9, 0}), here(p + Vec3d{0, above, 0}), {grey, 1.5, "3 5"});
         svg.line(here(p - d), here(p), {black, 4});
         svg.heading(here(p - d), here(p), {black, 4}, 0.35);
         draw_angle(svg, here, p, -d, n, 80, "", black, 0);
         svg.text(here(p, 0, 192), "θ₁ = " + in_degrees(angle, 2), {21, black, true});
-        if (const auto* bent = trace.rays[0].find<Refracted>(); bent != nullptr) {
+        if (bent != nullptr) {
             svg.arrow(here(p), here(p + bent->direction * 0.86), pen_of(RayKind::refracted, 4));
             svg.text({shown.x, 26}, shown.title, {21, black, true});
             svg.text({shown.x + 46, level - 172 + 6}, "θ₂ = " + in_degrees(bent->theta_to, 1),

@@ -55,7 +55,8 @@ Svg recursion_level_3(const Subject& subject) {
     svg.dot(eye, 9, black);
     svg.text({eye.x, eye.y + 28}, "eye", {21, black, true});
     svg.text({500, 686},
-             "seen from above; level 2 ends on the floor; max_depth = " + std::to_string(trace.max_depth),
+             "seen from above; level 2 ends on the floor, under the ball; max_depth = " +
+                 std::to_string(trace.max_depth),
              {20});
     return svg;
 }

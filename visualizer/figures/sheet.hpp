@@ -74,35 +74,42 @@ template <typename Lists>
     };
     std::vector<Run> open;
     std::vector<std::vector<Pixel>> done;
+    const auto add = [](Run& run, double x0, double x1, double y) {
+        run.left.push_back({x0, y});
+        run.right.push_back({x1, y});
+    };
     const auto close = [&](Run& run) {
         run.left.insert(run.left.end(), run.right.rbegin(), run.right.rend());
         done.push_back(std::move(run.left));
     };
+    const auto meet = [](const std::pair<double, double>& a, const std::pair<double, double>& b) {
+        return a.first < b.second && b.first < a.second;
+    };
+    const auto page_x = [&](double along) { return plane.at.x + plane.scale * along; };
     const int rows = int((high - low) * plane.scale);
     for (int i = 0; i < rows; ++i) {
-        const double height = high - (i + 0.5) / plane.scale;
+        const double height = high - (i + 0.5) / plane.scale, y = plane.at.y - plane.scale * height;
         const List spans = lists(Ray<double>{plane.origin + plane.up * height, plane.right});
-        const bool same =
-            spans.size() == open.size() &&
-            std::equal(spans.begin(), spans.end(), open.begin(), [](const auto& s, const Run& run) {
-                return s.first < run.last.second && run.last.first < s.second;
-            });
+        const bool same = spans.size() == open.size() &&
+                          std::equal(spans.begin(), spans.end(), open.begin(),
+                                     [&](const auto& s, const Run& run) { return meet(s, run.last); });
         if (!same) {
-            for (Run& run : open) close(run);
-            open.assign(spans.size(), {});
-        }
-        const double y = plane.at.y - plane.scale * height;
-        for (std::size_t k = 0; k < spans.size(); ++k) {
-            Run& run = open[k];
-            const double x0 = plane.at.x + plane.scale * spans[k].first,
-                         x1 = plane.at.x + plane.scale * spans[k].second;
-            if (run.left.empty()) { // the row's upper end
-                run.left.push_back({x0, y - 0.5});
-                run.right.push_back({x1, y - 0.5});
+            std::vector<Run> begun(spans.size());
+            // Where the number of spans changes, what goes on meets halfway between the rows; a tip stays one.
+            for (std::size_t k = 0; k < spans.size(); ++k)
+                if (std::any_of(open.begin(), open.end(),
+                                [&](const Run& run) { return meet(run.last, spans[k]); }))
+                    add(begun[k], page_x(spans[k].first), page_x(spans[k].second), y - 0.5);
+            for (Run& run : open) {
+                if (std::any_of(spans.begin(), spans.end(), [&](const auto& s) { return meet(run.last, s); }))
+                    add(run, page_x(run.last.first), page_x(run.last.second), y - 0.5);
+                close(run);
             }
-            run.left.push_back({x0, y + 0.5});
-            run.right.push_back({x1, y + 0.5});
-            run.last = spans[k];
+            open = std::move(begun);
+        }
+        for (std::size_t k = 0; k < spans.size(); ++k) {
+            add(open[k], page_x(spans[k].first), page_x(spans[k].second), y);
+            open[k].last = spans[k];
         }
     }
     for (Run& run : open) close(run);

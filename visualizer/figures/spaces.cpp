@@ -30,13 +30,16 @@ void draw_axes(Svg& svg, const Sheet& sheet, double left, double right, double l
 
 void draw_marks(Svg& svg, const Sheet& sheet, const Ray<double>& ray, const List& list, double last) {
     svg.arrow(sheet(ray.origin), sheet(ray.at(last)), {black, 3.5});
+    const auto beside_axis = [&](const Vec3d& point) { // not on the line of y
+        return sheet(point, std::abs(point.x) * sheet.scale < 1 ? -13 : 0, 22);
+    };
     for (int t = 1; t < last; ++t) {
         const Pixel p = sheet(ray.at(t));
         svg.line({p.x, p.y - 8}, {p.x, p.y + 8}, {black, 2});
-        svg.text({p.x, p.y + 22}, digits(t), {18, grey});
+        svg.text(beside_axis(ray.at(t)), digits(t), {18, grey});
     }
     svg.dot(sheet(ray.origin), 7, black);
-    svg.text(sheet(ray.origin, 0, 22), "0", {18, grey});
+    svg.text(beside_axis(ray.origin), "0", {18, grey});
     for (const double t : {list.at(0).first, list.at(0).second}) {
         svg.dot(sheet(ray.at(t)), 7, vermilion);
         svg.text(sheet(ray.at(t), 0, -44), "t = " + digits(t), {20, vermilion, true});

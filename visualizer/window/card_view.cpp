@@ -3,6 +3,7 @@
 #include "visualizer/drawing/ray_path.hpp"
 #include "visualizer/drawing/text.hpp"
 #include "visualizer/window/colours.hpp"
+#include "visualizer/window/known_part.hpp"
 
 #include <QPainter>
 
@@ -55,7 +56,9 @@ void CardView::show_ray(const Trace& trace, int ray) {
     refracts_ = traced.find<Refracted>() != nullptr;
     lines_.clear();
     nothing_ =
-        traced.find<BoundaryChosen>() == nullptr
+        traced.find<BoundaryChosen>() == nullptr && !is_finished(traced)
+            ? "What ray " + QString::number(ray) + " meets is not known yet."
+        : traced.find<BoundaryChosen>() == nullptr
             ? "Ray " + QString::number(ray) + " hits no boundary."
             : "Where ray " + QString::number(ray) + " ends, no light goes through: nothing is refracted.";
     if (card_) {

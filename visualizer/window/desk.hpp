@@ -3,6 +3,7 @@
 // so that both say the same. No window in here.
 
 #include "visualizer/cli/session.hpp"
+#include "visualizer/window/grip.hpp"
 #include "visualizer/window/scene_edit.hpp"
 
 #include <filesystem>
@@ -34,19 +35,19 @@ public:
     void open(const std::string& scene);
     /// A line of the conversation; views hear of what it moved.
     cli::Reply command(const std::string& line);
-    /// The answer to a line that moves nothing. Not during a quiz.
-    std::string look(const std::string& line) { return session_->reply(line).text; }
     void pick(int x, int y);
-    /// A ray given by hand.
-    void pick(const Ray<double>& ray);
     /// Find hits by a stage, which then tells where it looks; nothing: every object is tested.
     void choose_stage(const std::optional<StageChoice>& stage, bool by_stage);
     [[nodiscard]] bool by_stage() const { return choice_.by_stage; }
 
-    // Changes.
+    // Changes. `continues`: the one before and this one are undone together.
 
     void set_material(std::size_t material, MaterialPart part, double value, bool continues);
-    void move_light(std::size_t light, const Vec3d& position, bool continues);
+    /// @param pixel the least length that counts
+    void move_light(std::size_t light, const Vec3d& position, double pixel, bool continues);
+    void move_generic(const Grip& grip, const Vec3d& middle, double pixel, bool continues);
+    /// A ray given by hand, in place of the one that is traced.
+    void move_ray(const Vec3d& start, const Vec3d& target, double pixel, bool continues);
     [[nodiscard]] bool undo(); ///< false: nothing was changed before
     [[nodiscard]] bool redo();
     [[nodiscard]] bool changed() const { return edits_ != saved_; }
@@ -57,13 +58,20 @@ public:
 
 private:
     struct State {
-        Scene scene;
+        std::shared_ptr<const Workbench> bench;
         Edits edits;
+        std::optional<cli::RayChoice> choice; ///< where it was the ray that changed after it
     };
+    [[nodiscard]] State state(bool of_ray) const {
+        return {bench_, edits_, of_ray ? std::optional(choice_) : std::nullopt};
+    }
+    void remember(const std::string& key, bool of_ray, bool continues);
+    void begin(std::filesystem::path file);
+    /// @param value empty: as in the file
     void change(Scene scene, const std::string& key, const std::string& value, bool continues);
     /// To the last state in one list; where it stands now goes into the other.
     bool go_back(std::vector<State>& from, std::vector<State>& here);
-    void show(Scene scene);
+    void show(std::shared_ptr<const Workbench> bench);
     void converse(Trace trace);
     void trace_again();
 
@@ -74,6 +82,7 @@ private:
     std::shared_ptr<const Workbench> bench_;
     std::optional<cli::Session> session_;
     Edits edits_, saved_;
+    std::vector<Vec3d> opened_places_; // of the generics, as the file has them
     std::vector<State> before_, after_;
     std::string last_key_;
 };

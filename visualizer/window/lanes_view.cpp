@@ -4,6 +4,7 @@
 #include "visualizer/drawing/tessellate.hpp"
 #include "visualizer/drawing/text.hpp"
 #include "visualizer/window/colours.hpp"
+#include "visualizer/window/known_part.hpp"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -46,7 +47,9 @@ void LanesView::show_ray(const Trace& trace, int ray) {
     stop_text_ =
         stop_ ? QString("%1 at t = %2").arg(what, QString::fromStdString(drawing::number(*stop_, 6))) : "";
     stop_colour_ = qt_colour(drawing::ray_text_colour(traced));
-    ray_ = ray;
+    nothing_ = is_finished(traced) ? "The line of ray %1 meets no object."
+                                   : "Where the line of ray %1 is inside is not known yet.";
+    nothing_ = nothing_.arg(ray);
     sweep_.reset();
     fit_rows();
     viewport()->update();
@@ -208,7 +211,7 @@ void LanesView::paintEvent(QPaintEvent* /*event*/) {
     if (lanes_.shown.empty()) {
         painter.setPen(qt_colour(drawing::quiet_ink));
         painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignTop | Qt::AlignLeft,
-                         "The line of ray " + QString::number(ray_) + " meets no object.");
+                         nothing_);
         return;
     }
     draw_axis(painter);

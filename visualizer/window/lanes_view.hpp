@@ -57,9 +57,8 @@ private:
     drawing::Lanes lanes_;
     drawing::Window window_, whole_;
     std::optional<double> stop_, sweep_;
-    QString stop_text_;
+    QString stop_text_, nothing_;
     QColor stop_colour_;
-    int ray_ = 0;
     QPointF dragged_from_;
 };
 

@@ -25,6 +25,7 @@ MainWindow::MainWindow(Desk& given, bool remember)
     make_options();
     statusBar()->addPermanentWidget(&pixel_);
     link();
+    link_changes();
     resize(1600, 1000);
     if (remember_) {
         const QSettings settings;
@@ -41,17 +42,7 @@ void MainWindow::link() {
     image.on_pick = [this](int x, int y) { command("pixel " + std::to_string(x) + "," + std::to_string(y)); };
     tree.on_ray = [this](int ray) { command("goto " + std::to_string(ray)); };
     space.on_ray = [this](int ray) { command("goto " + std::to_string(ray)); };
-    space.on_light = [this](std::size_t light, const Vec3d& position, bool continues) {
-        desk.move_light(light, position, continues);
-    };
     lanes.on_sweep = [this](std::optional<double> t) { space.set_sweep(t); };
-    materials.on_change = [this](std::size_t material, MaterialPart part, double value, bool continues) {
-        try {
-            desk.set_material(material, part, value, continues);
-        } catch (const std::exception& error) {
-            say(error.what(), true);
-        }
-    };
     console.on_line = [this](const QString& line) {
         typing_ = true;
         command(line.toStdString());
@@ -65,7 +56,7 @@ void MainWindow::link() {
     QObject::connect(&weights, &QSlider::valueChanged, this, [this](int value) {
         const double least = least_weight();
         space.set_least_weight(least);
-        tree.show_trace(&desk.trace(), least);
+        tree.show_trace(&shown(), least);
         tree.show_ray(desk.ray());
         say(value == 0 ? "All rays are shown"
                        : QString("Rays below a weight of %1 are hidden: %2")
@@ -79,7 +70,8 @@ void MainWindow::link() {
             !desk.walk().stops().at(desk.walk().walked(), desk.walk().cursor().moment()).empty();
         if (stopped || desk.walk().cursor().moment() == before) play(false);
     });
-    QObject::connect(&tabs, &QTabWidget::currentChanged, this, [this] { show_search(); });
+    QObject::connect(&tabs, &QTabWidget::currentChanged, this, [this] { show_octree(); });
+    octree.on_level = [this](int level) { space.set_deepest_cell(level); };
     // An image for each of the numbers that a slider runs through would never be finished.
     image_timer_.setSingleShot(true);
     QObject::connect(&image_timer_, &QTimer::timeout, this, [this] { make_image(); });
@@ -92,12 +84,7 @@ double MainWindow::least_weight() const {
 }
 
 bool MainWindow::command(const std::string& line) {
-    // A quiz takes every line for an answer: moves would be wrong ones.
-    if (desk.session().quizzing() && !typing_) {
-        say("Answer in the console first; quit ends the quiz", true);
-        show_tab("Console");
-        return false;
-    }
+    if (!typing_ && is_asked()) return false;
     const auto start = std::chrono::steady_clock::now();
     const QString prompt = QString::fromStdString(desk.session().prompt());
     const cli::Reply reply = desk.command(line);
@@ -119,6 +106,13 @@ bool MainWindow::command(const std::string& line) {
     last_milliseconds_ =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return reply.ok;
+}
+
+bool MainWindow::is_asked() {
+    if (!desk.session().quizzing()) return false;
+    say("Answer in the console first; quit ends the quiz", true);
+    show_tab("Console");
+    return true;
 }
 
 void MainWindow::make_image() {
@@ -146,25 +140,6 @@ void MainWindow::open_scene(const QString& file) {
         frame_next_ = false;
         say(error.what(), true);
     }
-}
-
-void MainWindow::save() {
-    try {
-        if (!desk.changed()) return say("Nothing was changed");
-        desk.save();
-        say("Saved " + QString::fromStdString(desk.file().string()));
-    } catch (const std::exception& error) {
-        say(error.what(), true);
-    }
-    show_title();
-}
-
-void MainWindow::undo() {
-    if (!desk.undo()) say("Nothing was changed before");
-}
-
-void MainWindow::redo() {
-    if (!desk.redo()) say("Nothing was taken back");
 }
 
 bool MainWindow::may_leave() {
@@ -201,7 +176,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
                 details.viewport()->width() - 8)
                 break;
         }
-        for (QPlainTextEdit* text : {&details, &search, &colours}) text->setFont(font);
+        for (QPlainTextEdit* text : {&details, &octree.words, &colours}) text->setFont(font);
     }
     return QMainWindow::eventFilter(watched, event);
 }

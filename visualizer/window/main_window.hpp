@@ -8,6 +8,8 @@
 #include "visualizer/window/lanes_view.hpp"
 #include "visualizer/window/material_panel.hpp"
 #include "visualizer/window/object_panel.hpp"
+#include "visualizer/window/octree_panel.hpp"
+#include "visualizer/window/octree_run.hpp"
 #include "visualizer/window/ray_tree.hpp"
 #include "visualizer/window/ray_view.hpp"
 
@@ -33,7 +35,8 @@ public:
     RayView space;
     LanesView lanes;
     CardView card;
-    QPlainTextEdit details, search, colours;
+    QPlainTextEdit details, colours;
+    OctreePanel octree;
     Console console;
     MaterialPanel materials;
     ObjectPanel objects;
@@ -54,6 +57,9 @@ public:
     bool press(const QString& shortcut);
     [[nodiscard]] const QString& message() const { return message_; }
     [[nodiscard]] QString place() const { return place_.text(); }
+    [[nodiscard]] QString pixel() const { return pixel_.text(); }
+    /// The trace; while a question is open, as far as the walk has come.
+    [[nodiscard]] const Trace& shown() const { return known_ ? *known_ : desk.trace(); }
     /// Everything that was asked for is on the screen.
     [[nodiscard]] bool complete() const;
     /// Time from the call that last changed the trace to its being drawn, milliseconds.
@@ -71,6 +77,10 @@ private:
     void make_toolbar();
     void make_options();
     void link();
+    void link_changes();
+    /// Changes the scene or the ray, unless that can't be now; says why not.
+    void change(const std::function<void()>& how);
+    void dragged(const Handle& handle, const Vec3d& to, double pixel, bool continues);
     QAction* add_action(QMenu* menu, const QString& text, const QString& shortcut, const QString& tip,
                         std::function<void()> act);
     void say(const QString& text, bool wrong = false);
@@ -84,11 +94,17 @@ private:
     void trace_changed();
     void moved();
     void show_texts();
-    void show_search();
+    void show_octree();
+    void show_objects();
+    void show_pixel();
+    /// Says so if a question is open: until the answer nothing can move or change.
+    bool is_asked();
     void show_title();
     void make_image();
 
     ImageMaker maker_;
+    std::optional<Trace> known_; // while a question is open
+    OctreeRun octree_run_;
     QLabel place_, pixel_;
     QDoubleSpinBox speed_;
     QLineEdit stop_;

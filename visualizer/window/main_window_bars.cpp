@@ -88,14 +88,12 @@ void MainWindow::make_options() {
     stage_.setToolTip("How hits are found. A stage shows where it looks, and tests only what lies there");
     stage_.setFocusPolicy(Qt::ClickFocus);
     QObject::connect(&stage_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
-        try {
+        change([this, index] {
             if (index == 0)
                 desk.choose_stage(std::nullopt, false);
             else
                 desk.choose_stage(stage_choice(stage_.currentText().toStdString()), true);
-        } catch (const std::exception& error) {
-            say(error.what(), true);
-        }
+        });
     });
     bar->addWidget(&stage_);
     bar->addSeparator();

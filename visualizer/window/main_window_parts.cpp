@@ -38,7 +38,7 @@ void MainWindow::make_docks() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     make_reader(details, "details");
-    make_reader(search, "search");
+    make_reader(octree.words, "search");
     make_reader(colours, "colours");
     tabs.setObjectName("tabs");
     tabs.setDocumentMode(true);
@@ -46,7 +46,7 @@ void MainWindow::make_docks() {
     tabs.addTab(&details, "Ray");
     tabs.addTab(&card, "Refraction");
     tabs.addTab(&colours, "Colour");
-    tabs.addTab(&search, "Octree");
+    tabs.addTab(&octree, "Octree");
     tabs.addTab(&materials, "Materials");
     tabs.addTab(&objects, "Objects");
     tabs.addTab(&console, "Console");
@@ -85,7 +85,8 @@ void MainWindow::make_menus() {
     add_action(file, "&Quit", "Ctrl+Q", "end", [this] { close(); });
 
     QMenu* edit = menuBar()->addMenu("&Edit");
-    undo_ = add_action(edit, "&Undo", "Ctrl+Z", "the last change of the scene", [this] { undo(); });
+    undo_ = add_action(edit, "&Undo", "Ctrl+Z", "the last change of the scene, or drag of the ray",
+                       [this] { undo(); });
     redo_ = add_action(edit, "&Redo", "Ctrl+Shift+Z", "the change that was taken back", [this] { redo(); });
 
     QMenu* walk = menuBar()->addMenu("&Walk");

@@ -1,5 +1,5 @@
 #pragma once
-// The objects of the scene: shown, as a ghost, or hidden; alone; or taken apart into their operands.
+// The objects of the scene and the operands that they are made of: shown, as a ghost, or hidden; alone; taken apart.
 
 #include "visualizer/window/ray_view.hpp"
 
@@ -14,8 +14,9 @@ public:
     explicit ObjectPanel(RayView& view);
 
     void show_scene(const Scene& scene);
-    void mark(std::size_t drawn); ///< the object that the current ray ends on
-    /// By name; false: there is no such object in the list.
+    void mark(std::optional<std::size_t> drawn); ///< the object that the current ray ends on
+    void mark_grip(const Grip& grip);
+    /// An object or an operand, by name; false: there is none in the list.
     [[nodiscard]] bool choose(const std::string& name);
     void set_presence(Presence presence);
     void isolate();
@@ -25,10 +26,15 @@ public:
 private:
     [[nodiscard]] std::optional<std::size_t> chosen() const;
     void refresh();
+    void fill(const Scene& scene);
+    void add_operands(QTreeWidgetItem& item, const Scene& scene, std::size_t drawn);
+    void take_hold(); ///< of the generic in the current row
 
     RayView& view_;
     QTreeWidget list_;
     std::size_t objects_ = 0;
+    std::vector<Grip> grips_; // of the rows that stand for a generic
+    bool marking_ = false;    // the current row was not chosen by hand
 };
 
 } // namespace rayscope::window

@@ -4,6 +4,7 @@
 #include "visualizer/drawing/ray_path.hpp"
 #include "visualizer/drawing/text.hpp"
 #include "visualizer/window/colours.hpp"
+#include "visualizer/window/known_part.hpp"
 
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -29,6 +30,8 @@ QPixmap stroke_of(const TracedRay& ray) {
 
 QString text_of(const Trace& trace, int id, int column) {
     const TracedRay& ray = trace.rays[std::size_t(id)];
+    const bool known = is_finished(ray) || ray.find<BoundaryChosen>() != nullptr;
+    if (!known && (column == target || column == distance)) return "?";
     switch (column) {
     case name: return QString::number(id) + " " + drawing::kind_name(ray.start().kind);
     case target: {

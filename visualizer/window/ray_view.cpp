@@ -5,6 +5,7 @@
 #include "visualizer/window/ray_view_parts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rayscope::window {
 namespace {
@@ -20,8 +21,11 @@ RayView::RayView() : actors_(std::make_unique<Actors>()), worker_(this) {
     setAccessibleName("The rays in space");
     setFocusPolicy(Qt::ClickFocus);
     setMinimumSize(220, 160);
-    setToolTip(
-        "Left drag: turn. Right drag: move. Wheel: zoom. Click on a ray: go there.\nA light can be dragged.");
+    setToolTip("Left drag: turn. Right drag: move. Wheel: zoom. Click on a ray: go there.\nDrag a light, the "
+               "square at an "
+               "end of the first ray, or the ring of the chosen solid: move it.\nCtrl + drag on a solid: "
+               "choose and move it.");
+    setMouseTracking(true); // the cursor tells what can be caught
     setRenderWindow(actors_->window);
     paint_timer_.setSingleShot(true);
     settle_timer_.setSingleShot(true);
@@ -45,6 +49,7 @@ void RayView::show_trace(std::shared_ptr<const Workbench> bench, const Trace& tr
     if (frame && other_scene) {
         presence_.clear();
         exploded_.clear();
+        grip_.reset();
     }
     bench_ = std::move(bench);
     trace_ = std::make_shared<Trace>(trace);
@@ -57,17 +62,19 @@ void RayView::show_trace(std::shared_ptr<const Workbench> bench, const Trace& tr
 
 void RayView::make_scenery(bool frame) {
     frame = frame || scene_ == nullptr;
-    worker_.run([this, bench = bench_, trace = trace_, exploded = exploded_, old = scene_,
-                 frame](const std::atomic<bool>&) {
+    worker_.run([this, bench = bench_, trace = trace_, exploded = exploded_, old = scene_, frame,
+                 held = caught_.has_value()](const std::atomic<bool>&) {
         auto scenery = std::make_shared<Scenery>(*bench, *trace, exploded, frame ? nullptr : old.get());
         scenery->bench = bench;
-        worker_.hand_over([this, scenery, frame] { take(scenery, frame); });
+        // Under a hand that drags the camera must not jump.
+        const bool look = frame || (scenery->moved && !held);
+        worker_.hand_over([this, scenery, look] { take(scenery, look); });
     });
 }
 
 void RayView::take(std::shared_ptr<const Scenery> scenery, bool frame) {
     scene_ = std::move(scenery);
-    if (frame || scene_->moved) orbit_ = framed_orbit(*trace_, bench_->scene, scene_->region, area(), ray_);
+    if (frame) orbit_ = framed_orbit(*trace_, bench_->scene, scene_->region, area(), ray_);
     changed(true);
 }
 
@@ -92,6 +99,11 @@ void RayView::set_sweep(std::optional<double> t) {
 
 void RayView::set_least_weight(double weight) {
     least_weight_ = weight;
+    changed(false);
+}
+
+void RayView::set_deepest_cell(int level) {
+    if (level == std::exchange(deepest_cell_, level)) return;
     changed(false);
 }
 

@@ -3,6 +3,8 @@
 
 #include "visualizer/drawing/ray_strokes.hpp"
 #include "visualizer/drawing/surfaces.hpp"
+#include "visualizer/window/grip.hpp"
+#include "visualizer/window/handle.hpp"
 #include "visualizer/window/orbit.hpp"
 #include "visualizer/window/worker.hpp"
 
@@ -19,7 +21,9 @@ class vtkRenderer;
 
 namespace rayscope::drawing {
 class CanvasItem;
-}
+class LabelPlacer;
+struct Canvas;
+} // namespace rayscope::drawing
 
 namespace rayscope::window {
 
@@ -32,14 +36,17 @@ public:
     ~RayView() override;
 
     std::function<void(int ray)> on_ray; ///< a ray was clicked
-    /// A light is dragged. @param continues the same drag goes on
-    std::function<void(std::size_t light, const Vec3d& position, bool continues)> on_light;
+    /// A handle, as it was when it was caught, is dragged. @param pixel world length of a pixel there: what is less
+    /// nobody can aim at. @param continues the same drag goes on
+    std::function<void(const Handle& handle, const Vec3d& to, double pixel, bool continues)> on_drag;
+    std::function<void(const std::optional<Grip>&)> on_grip; ///< another generic was chosen here
 
     /// @param frame the camera goes where all of the trace is seen
     void show_trace(std::shared_ptr<const Workbench> bench, const Trace& trace, int ray, bool frame);
     void show_ray(int ray);
     void set_sweep(std::optional<double> t);
     void set_least_weight(double weight);
+    void set_deepest_cell(int level); ///< cells of a stage below it are not drawn
     void set_presence(std::map<std::size_t, Presence> presence);
     [[nodiscard]] const std::map<std::size_t, Presence>& presence() const { return presence_; }
     [[nodiscard]] Presence presence_of(std::size_t drawn) const {
@@ -66,7 +73,12 @@ public:
     [[nodiscard]] std::vector<std::string> surfaces_shown() const;
     /// Where the middle of a ray is in the widget, if it is in sight.
     [[nodiscard]] std::optional<QPoint> place_of(int ray) const;
-    [[nodiscard]] std::optional<QPoint> place_of_light(std::size_t light) const;
+    /// What can be caught now.
+    [[nodiscard]] std::vector<Handle> handles() const;
+    [[nodiscard]] std::optional<QPointF> place_of(const Handle& handle) const;
+    /// The generic that has a handle.
+    void set_grip(const std::optional<Grip>& grip);
+    [[nodiscard]] const std::optional<Grip>& grip() const { return grip_; }
     /// Draws at once what is waiting to be drawn.
     void finish();
 
@@ -92,10 +104,16 @@ private:
     void render(bool fine);
     void draw_surfaces();
     void draw_strokes();
+    void draw_handles(drawing::Canvas& canvas, drawing::LabelPlacer& placer) const;
     void aim();
     void keep_moving(); // the camera moves, and soon rests
     [[nodiscard]] drawing::Area area() const;
     [[nodiscard]] int ray_at(QPointF at) const;
+    [[nodiscard]] bool is_click(QPointF at) const;
+    [[nodiscard]] std::optional<Handle> handle_at(QPointF at) const;
+    void grip_under(QPointF at);
+    void catch_handle(QPointF at, bool whole_solid);
+    void drag_handle(QPointF by);
 
     std::shared_ptr<const Workbench> bench_;
     std::shared_ptr<const Trace> trace_;
@@ -109,10 +127,12 @@ private:
     int ray_ = 0;
     std::optional<double> sweep_;
     double least_weight_ = 0;
+    int deepest_cell_ = std::numeric_limits<int>::max();
     bool locked_ = false, surfaces_changed_ = false, moving_ = false;
     QPointF pressed_, last_;
-    std::optional<std::size_t> dragged_light_;
-    bool light_moved_ = false;
+    std::optional<Grip> grip_;
+    std::optional<Handle> caught_;
+    bool caught_moved_ = false;
     QTimer paint_timer_, settle_timer_, refine_timer_;
     Worker worker_; // last: it ends before what it hands over to
 };

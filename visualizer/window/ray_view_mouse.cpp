@@ -27,27 +27,24 @@ bool RayView::event(QEvent* event) {
 void RayView::mousePressEvent(QMouseEvent* event) {
     setFocus();
     pressed_ = last_ = event->localPos();
-    dragged_light_.reset();
-    light_moved_ = false;
-    if (event->button() != Qt::LeftButton || !bench_ || !view_) return;
-    constexpr double reach = 12; // pixels
-    for (std::size_t i = 0; i < bench_->scene.lights.size(); ++i)
-        if (const auto place = place_of_light(i);
-            place && std::hypot(place->x() - pressed_.x(), place->y() - pressed_.y()) < reach)
-            dragged_light_ = i;
+    caught_.reset();
+    if (event->button() == Qt::LeftButton && bench_ && view_)
+        catch_handle(pressed_, event->modifiers() & Qt::ControlModifier);
 }
 
 void RayView::mouseMoveEvent(QMouseEvent* event) {
-    if (!view_ || event->buttons() == Qt::NoButton) return;
+    if (!view_) return;
+    if (event->buttons() == Qt::NoButton) {
+        if (handle_at(event->localPos()))
+            setCursor(Qt::SizeAllCursor);
+        else
+            unsetCursor();
+        return;
+    }
     const QPointF moved = event->localPos() - last_;
     last_ = event->localPos();
-    if (dragged_light_ && (event->buttons() & Qt::LeftButton)) {
-        // In the plane through it that faces the camera.
-        const Vec3d at = bench_->scene.lights[*dragged_light_].position;
-        const double pixel = view_->pixel_size(view_->to_view(at)) * view_->scale();
-        const Vec3d next = at + (view_->right() * moved.x() - view_->up() * moved.y()) * pixel;
-        if (on_light) on_light(*dragged_light_, next, light_moved_);
-        light_moved_ = true;
+    if (caught_ && (event->buttons() & Qt::LeftButton)) {
+        if (caught_moved_ || !is_click(event->localPos())) drag_handle(event->localPos() - pressed_);
         return;
     }
     if (event->buttons() & Qt::LeftButton)
@@ -57,6 +54,12 @@ void RayView::mouseMoveEvent(QMouseEvent* event) {
     keep_moving();
 }
 
+/// The mouse has not left the place where it was pressed.
+bool RayView::is_click(QPointF at) const {
+    constexpr double still = 4; // pixels
+    return std::hypot(at.x() - pressed_.x(), at.y() - pressed_.y()) < still;
+}
+
 void RayView::keep_moving() {
     moving_ = true;
     settle_timer_.start(160);
@@ -64,15 +67,16 @@ void RayView::keep_moving() {
 }
 
 void RayView::mouseReleaseEvent(QMouseEvent* event) {
-    constexpr double still = 4; // pixels
-    const QPointF moved = event->localPos() - pressed_;
-    const bool clicked = std::hypot(moved.x(), moved.y()) < still && event->button() == Qt::LeftButton;
+    const bool clicked = is_click(event->localPos()) && !caught_moved_ && event->button() == Qt::LeftButton;
+    const bool chooses = event->modifiers() & Qt::ControlModifier;
+    caught_.reset();
+    caught_moved_ = false;
     if (moving_) {
         settle_timer_.stop();
         moving_ = false;
         changed(true);
     }
-    if (!clicked || !view_ || dragged_light_) return;
+    if (!clicked || !view_ || chooses) return;
     if (const int ray = ray_at(event->localPos()); ray != none && on_ray) on_ray(ray);
 }
 

@@ -1,6 +1,7 @@
 #include "visualizer/window/ray_view_parts.hpp"
 
 #include "visualizer/drawing/scene_objects.hpp"
+#include "visualizer/window/known_part.hpp"
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
@@ -28,6 +29,11 @@ bool same_objects(const drawing::Surfaces& surfaces, const std::vector<Id>& draw
     });
 }
 
+bool same_places(const Scene& a, const Scene& b) {
+    return &a == &b ||
+           (std::ranges::equal(a.generics, b.generics, {}, &SceneGeneric::matrix, &SceneGeneric::matrix));
+}
+
 } // namespace
 
 RayView::Scenery::Scenery(const Workbench& workbench, const Trace& trace,
@@ -38,9 +44,12 @@ RayView::Scenery::Scenery(const Workbench& workbench, const Trace& trace,
     const bool near = old != nullptr && old->region.holds(fresh.centre, 1.6) &&
                       fresh.radius < 3 * old->region.radius && fresh.radius > old->region.radius / 8;
     moved = old != nullptr && !near;
+    whole = is_finished(trace.rays.front());
     region = near ? old->region : fresh;
-    // What the window itself changes, materials and lights, leaves the shapes as they are.
-    if (near && same_objects(old->surfaces, drawn))
+    // Of what the window itself changes, only the places of generics are seen in the shapes. Of a trace that is known in
+    // part other objects count as hit.
+    if (near && whole && old->whole && same_objects(old->surfaces, drawn) &&
+        same_places(old->bench->scene, workbench.scene))
         surfaces = old->surfaces;
     else
         surfaces = drawing::surfaces_near(workbench, trace, drawn, region);

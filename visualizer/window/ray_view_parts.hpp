@@ -23,6 +23,7 @@ struct RayView::Scenery {
     drawing::Surfaces surfaces;
     std::vector<drawing::Surface> operands;
     bool moved = false; ///< the trace lies elsewhere than the old one
+    bool whole = false; ///< the trace has its end
 };
 
 struct RayView::Actors {

@@ -16,7 +16,8 @@ namespace {
 constexpr double letters = 12;
 
 /// The trace's tables with one ray alone: what is drawn of that ray only needs no geometry of the others.
-Trace alone(const Trace& trace, int ray) {
+/// @param deepest level of the cells that are kept
+Trace alone(const Trace& trace, int ray, int deepest) {
     Trace single;
     single.source = trace.source;
     single.eye = trace.eye;
@@ -27,6 +28,10 @@ Trace alone(const Trace& trace, int ray) {
     single.rays = {trace.rays[std::size_t(ray)]};
     single.rays.front().parent = none;
     single.rays.front().children.clear();
+    std::erase_if(single.rays.front().events, [&](const Event& event) {
+        const auto* place = std::get_if<PlaceEntered>(&event);
+        return place != nullptr && place->level > deepest;
+    });
     return single;
 }
 
@@ -46,7 +51,7 @@ void RayView::draw_strokes() {
     }
     drawing::RayStrokes strokes(*view_, drawing::Region{orbit_.pivot, orbit_.radius, {}}, 1);
     strokes.draw(*trace_, styles_, actors_->rays, actors_->hits);
-    const Trace single = alone(*trace_, ray_);
+    const Trace single = alone(*trace_, ray_, deepest_cell_);
     const drawing::Lanes lanes = drawing::lanes_of(single, single.rays.front(), 8);
     strokes.draw_places(0, drawing::places_polydata(single));
     strokes.draw_lanes(single, 0, lanes, drawing::spans_polydata(single, region.open_length()));
@@ -68,6 +73,7 @@ void RayView::draw_strokes() {
     drawing::LabelPlacer placer(free, strokes.segments());
     drawing::draw_marks(canvas, placer, *trace_, styles_, actors_->named, *scene_->bench,
                         drawing::Region{orbit_.pivot, orbit_.radius, {}}, *view_, letters);
+    draw_handles(canvas, placer);
     canvas.add(drawing::FilledArea{{0, free.height, double(width()), high}, drawing::paper, 0.85});
     drawing::draw_legend(&canvas, letters, free.height + letters * 0.25, wide, *trace_, ghosts,
                          letters * 0.95);
@@ -105,16 +111,6 @@ std::optional<QPoint> RayView::place_of(int id) const {
     if (!part) return std::nullopt;
     const auto pixel = view_->pixel(from + (to - from) * ((part->from + part->to) / 2));
     return pixel ? std::optional(QPoint(int(pixel->x), int(pixel->y))) : std::nullopt;
-}
-
-std::optional<QPoint> RayView::place_of_light(std::size_t light) const {
-    if (!view_ || !bench_ || light >= bench_->scene.lights.size()) return std::nullopt;
-    const SceneLight& entry = bench_->scene.lights[light];
-    if (entry.directional) return std::nullopt;
-    const auto pixel = view_->pixel(view_->to_view(entry.position));
-    if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x > width() || pixel->y > height())
-        return std::nullopt;
-    return QPoint(int(pixel->x), int(pixel->y));
 }
 
 } // namespace rayscope::window

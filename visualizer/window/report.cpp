@@ -36,6 +36,31 @@ nlohmann::json lanes_json(const MainWindow& window) {
     return lanes;
 }
 
+nlohmann::json vector_json(const Vec3d& v) { return {number_json(v.x), number_json(v.y), number_json(v.z)}; }
+
+/// Where things are that can be dragged.
+nlohmann::json handles_json(const MainWindow& window) {
+    nlohmann::json handles = nlohmann::json::object();
+    for (const Handle& handle : window.space.handles()) handles[handle.name] = vector_json(handle.at);
+    handles["start"] = vector_json(window.desk.trace().rays.front().start().origin); // perhaps out of sight
+    return handles;
+}
+
+/// What the octree's picture shows, in numbers.
+nlohmann::json octree_json(const MainWindow& window) {
+    const auto& facts = window.octree.chart.facts();
+    if (!facts) return nullptr;
+    const int level = window.octree.chart.level();
+    nlohmann::json result{{"level", level},
+                          {"levels", window.octree.levels.maximum()},
+                          {"objects", facts->objects},
+                          {"objects_tested", facts->tested}};
+    for (std::size_t i = 0; i < fate_names.size(); ++i)
+        result[fate_names[i]] = facts->count_to(CellFate(i), level);
+    result["held"] = facts->held_counts(level);
+    return result;
+}
+
 } // namespace
 
 std::string report_of(MainWindow& window, const std::string& line, bool ok) {
@@ -54,10 +79,13 @@ std::string report_of(MainWindow& window, const std::string& line, bool ok) {
         {"scene", window.desk.file().string()},
         {"changed", window.desk.changed()},
         {"pixel", source.by_hand ? nlohmann::json() : nlohmann::json{source.x, source.y}},
-        {"rays", window.desk.trace().rays.size()},
+        {"rays", window.shown().rays.size()},
         {"row", row},
         {"left_out", window.tree.left_out()},
         {"place", text_of(window.place())},
+        {"pixel_text", text_of(window.pixel())},
+        {"octree", octree_json(window)},
+        {"colours", text_of(window.colours.toPlainText())},
         {"details", text_of(window.details.toPlainText())},
         {"lanes", lanes_json(window)},
         {"sweep", window.lanes.sweep() ? number_json(*window.lanes.sweep()) : nlohmann::json()},
@@ -69,6 +97,7 @@ std::string report_of(MainWindow& window, const std::string& line, bool ok) {
           {"height", image.height},
           {"fine", image.fine},
           {"seconds", image.seconds}}},
+        {"handles", handles_json(window)},
         {"space", {{"rays", window.space.rays_drawn()}, {"surfaces", window.space.surfaces_shown()}}},
         {"size", {window.width(), window.height()}},
         {"milliseconds", window.last_milliseconds()},

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace rayscope::window {
 namespace {
@@ -69,6 +72,21 @@ std::string toml_number(double number) {
     std::array<char, 40> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
     return std::string(buffer.data(), std::size_t(end - buffer.data()));
+}
+
+Vec3d rounded(const Vec3d& v, double step) {
+    const double power = std::pow(10.0, std::abs(std::ceil(-std::log10(step))));
+    Vec3d result;
+    for (int i = 0; i < 3; ++i) // dividing by a power of ten gives the decimal's own double
+        result[i] = step < 1 ? std::round(v[i] * power) / power : std::round(v[i] / power) * power;
+    return result + Vec3d{0}; // no −0
+}
+
+double tidy(double sum) {
+    constexpr int digits = 15;
+    std::array<char, 40> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, sum);
+    return std::strtod(buffer.data(), nullptr);
 }
 
 std::string toml_vector(const Vec3d& v) {

@@ -8,7 +8,8 @@
 
 namespace rayscope::window {
 
-/// "materials.glass.reflection", and the value as TOML writes it: "0.12" or "[0.1, 0.2, 0.3]".
+/// "materials.glass.reflection", and the value as TOML writes it: "0.12" or "[0.1, 0.2, 0.3]". Of
+/// "generics.ball.transform" it is the step to go behind those in the file: "{translate = [0.1, 0, 0]}".
 using Edits = std::map<std::string, std::string>;
 
 /// The coefficients and numbers of a material that have a slider.
@@ -40,8 +41,13 @@ std::string set_part(SceneMaterial& material, MaterialPart part, double value);
 [[nodiscard]] std::string toml_number(double number);
 [[nodiscard]] std::string toml_vector(const Vec3d& v);
 
+/// To the decimals that a step of this length can tell apart.
+[[nodiscard]] Vec3d rounded(const Vec3d& v, double step);
+/// A sum of decimals, without what rounding put into its last digits.
+[[nodiscard]] double tidy(double sum);
+
 /// The text with other values, all else, comments and order too, as it was. A value that is not there yet goes below
-/// its table's head. Throws InputError where a value has no place in the text.
+/// its table's head, or to the end of an inline table. Throws InputError where a value has no place in the text.
 /// @param file for messages
 [[nodiscard]] std::string with_edits(const std::string& file, std::string text, const Edits& edits);
 

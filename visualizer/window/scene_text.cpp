@@ -43,12 +43,50 @@ std::string in_place_of(const std::string& text, const std::string& key, const s
     return key == written ? text : toml_number(1 / std::stod(text));
 }
 
-/// The end of the line with a table's "[head]".
-std::size_t below_head(const std::string& text, const toml::table& table) {
-    const std::size_t begin = offset_of(text, table.source().begin);
-    if (begin >= text.size() || text[begin] != '[') return std::string::npos;
-    const std::size_t end = text.find('\n', begin);
-    return end == std::string::npos ? text.size() : end;
+struct Bytes {
+    std::size_t begin, end;
+};
+Bytes bytes_of(const std::string& text, const toml::node& node) {
+    return {offset_of(text, node.source().begin), offset_of(text, node.source().end)};
+}
+
+/// The numbers of a file's last transform, if it is a translation.
+const toml::array* last_translation(const toml::array& steps) {
+    const auto* step = steps.empty() ? nullptr : steps.back().as_table();
+    return step == nullptr ? nullptr : step->get_as<toml::array>("translate");
+}
+
+/// A translation behind all other steps: joined with the last one if that is one, too.
+std::string with_translation(std::string text, const toml::array& steps, const std::string& step) {
+    const toml::table wanted = toml::parse("step = " + step);
+    const toml::array& offset = *wanted["step"]["translate"].as_array();
+    const auto* last = last_translation(steps);
+    if (last == nullptr) {
+        const std::size_t place =
+            steps.empty() ? bytes_of(text, steps).begin + 1 : bytes_of(text, steps.back()).end;
+        return text.insert(place, (steps.empty() ? "" : ", ") + step);
+    }
+    for (std::size_t i = offset.size(); i-- > 0;) { // from behind: the places before stay what they are
+        const double by = offset[i].value_or(0.0);
+        if (by == 0) continue;
+        const Bytes place = bytes_of(text, (*last)[i]);
+        text.replace(place.begin, place.end - place.begin, toml_number(tidy((*last)[i].value_or(0.0) + by)));
+    }
+    return text;
+}
+
+/// Text that the table holds one entry more.
+std::string with_entry(const std::string& text, const toml::table& table, const std::string& entry) {
+    const auto [begin, end] = bytes_of(text, table);
+    if (begin < text.size() && text[begin] == '[') { // "[head]"
+        const std::size_t line = std::min(text.find('\n', begin), text.size());
+        return text.substr(0, line) + "\n" + entry + text.substr(line);
+    }
+    if (begin < text.size() && text[begin] == '{') {
+        const std::size_t last = text.find_last_not_of(" \t", end - 2) + 1;
+        return text.substr(0, last) + (table.empty() ? "" : ", ") + entry + text.substr(last);
+    }
+    return {};
 }
 
 std::string with_edit(const std::string& file, const std::string& text, const std::string& name,
@@ -60,16 +98,19 @@ std::string with_edit(const std::string& file, const std::string& text, const st
         table = table->get_as<toml::table>(part);
         if (table == nullptr) throw InputError(file, {}, "has no table for " + name + ": it can't be saved");
     }
+    if (const auto* steps = table->get_as<toml::array>("transform");
+        steps != nullptr && path.key == "transform")
+        return with_translation(text, *steps, value);
     for (const std::string& key : {path.key, std::string(path.key == "index" ? "speed" : path.key)})
         if (const toml::node* node = table->get(key)) {
-            const std::size_t begin = offset_of(text, node->source().begin),
-                              end = offset_of(text, node->source().end);
+            const auto [begin, end] = bytes_of(text, *node);
             return text.substr(0, begin) + in_place_of(value, path.key, key) + text.substr(end);
         }
-    const std::size_t place = below_head(text, *table);
-    if (place == std::string::npos)
+    const std::string entry = path.key + " = " + (path.key == "transform" ? "[" + value + "]" : value);
+    std::string longer = with_entry(text, *table, entry);
+    if (longer.empty())
         throw InputError(file, {}, name + " is not in the file, and its table has no line of its own");
-    return text.substr(0, place) + "\n" + path.key + " = " + value + text.substr(place);
+    return longer;
 }
 
 } // namespace

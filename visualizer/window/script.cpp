@@ -34,22 +34,24 @@ bool wait_for(MainWindow& window) {
     return window.complete();
 }
 
-void mouse(QWidget& widget, QEvent::Type type, QPoint at, Qt::MouseButtons held) {
+void mouse(QWidget& widget, QEvent::Type type, QPoint at, Qt::MouseButtons held,
+           Qt::KeyboardModifiers keys = Qt::NoModifier) {
     const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
-    QMouseEvent event(type, at, widget.mapToGlobal(at), button, held, Qt::NoModifier);
+    QMouseEvent event(type, at, widget.mapToGlobal(at), button, held, keys);
     QApplication::sendEvent(&widget, &event);
 }
 void click(QWidget& widget, QPoint at) {
     mouse(widget, QEvent::MouseButtonPress, at, Qt::LeftButton);
     mouse(widget, QEvent::MouseButtonRelease, at, Qt::NoButton);
 }
-void drag(QWidget& widget, QPoint from, QPoint to, int steps, MainWindow& window) {
-    mouse(widget, QEvent::MouseButtonPress, from, Qt::LeftButton);
+void drag(QWidget& widget, QPoint from, QPoint to, int steps, MainWindow& window,
+          Qt::KeyboardModifiers keys = Qt::NoModifier) {
+    mouse(widget, QEvent::MouseButtonPress, from, Qt::LeftButton, keys);
     for (int i = 1; i <= steps; ++i) {
-        mouse(widget, QEvent::MouseMove, from + (to - from) * i / steps, Qt::LeftButton);
+        mouse(widget, QEvent::MouseMove, from + (to - from) * i / steps, Qt::LeftButton, keys);
         work_off(window);
     }
-    mouse(widget, QEvent::MouseButtonRelease, to, Qt::NoButton);
+    mouse(widget, QEvent::MouseButtonRelease, to, Qt::NoButton, keys);
 }
 
 using Words = std::istringstream;
@@ -89,11 +91,33 @@ bool click_ray(MainWindow& w, Words& words) {
     if (place) click(w.space, *place);
     return place.has_value();
 }
-bool drag_light(MainWindow& w, Words& words) {
-    const auto place = w.space.place_of_light(next<std::size_t>(words));
+/// Catches the first handle of a kind, or the one of that index, and drags it by some pixels.
+bool drag_handle(MainWindow& w, Handle::Kind kind, std::size_t index, Words& words) {
     const int dx = next<int>(words), dy = next<int>(words);
-    if (place) drag(w.space, *place, *place + QPoint(dx, dy), 4, w);
-    return place.has_value();
+    for (const Handle& handle : w.space.handles())
+        if (handle.kind == kind && handle.index == index)
+            if (const auto place = w.space.place_of(handle)) {
+                drag(w.space, place->toPoint(), place->toPoint() + QPoint(dx, dy), 4, w);
+                return true;
+            }
+    return false;
+}
+bool drag_light(MainWindow& w, Words& words) {
+    const auto light = next<std::size_t>(words);
+    return drag_handle(w, Handle::Kind::light, light, words);
+}
+bool drag_solid(MainWindow& w, Words& words) {
+    if (!w.objects.choose(next<std::string>(words)) || !w.space.grip()) return false;
+    work_off(w);
+    return drag_handle(w, Handle::Kind::generic, w.space.grip()->generic, words);
+}
+/// Ctrl + drag in the 3D view, from shares of its width and height.
+bool pull(MainWindow& w, Words& words) {
+    const double x = next<double>(words), y = next<double>(words);
+    const int dx = next<int>(words), dy = next<int>(words);
+    const QPoint from(int(x * w.space.width()), int(y * w.space.height()));
+    drag(w.space, from, from + QPoint(dx, dy), 4, w, Qt::ControlModifier);
+    return w.space.grip().has_value();
 }
 bool orbit(MainWindow& w, Words& words) {
     const int dx = next<int>(words), dy = next<int>(words);
@@ -145,6 +169,11 @@ const std::map<std::string, Deed, std::less<>>& deeds() {
         {"row", click_row},
         {"ray", click_ray},
         {"light", drag_light},
+        {"solid", drag_solid},
+        {"pull", pull},
+        {"start",
+         [](MainWindow& w, Words& words) { return drag_handle(w, Handle::Kind::ray_start, 0, words); }},
+        {"end", [](MainWindow& w, Words& words) { return drag_handle(w, Handle::Kind::ray_end, 0, words); }},
         {"orbit", orbit},
         {"sweep", sweep},
         {"object", object},
@@ -182,6 +211,11 @@ const std::map<std::string, Deed, std::less<>>& deeds() {
         {"stage",
          [](MainWindow& w, Words& words) {
              w.choose_stage(rest(words));
+             return true;
+         }},
+        {"level",
+         [](MainWindow& w, Words& words) {
+             w.octree.levels.setValue(next<int>(words));
              return true;
          }},
         {"tab",

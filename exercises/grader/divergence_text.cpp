@@ -1,4 +1,4 @@
-#include "exercises/program/divergence_text.hpp"
+#include "exercises/grader/divergence_text.hpp"
 
 #include "exercises/grader/trace_text.hpp"
 
@@ -54,14 +54,14 @@ std::string values_text(const Difference& difference) {
     const auto text = [&](const Vec3d& value) {
         return difference.is_vector ? vector_text(value) : fmt::format("{:.9g}", value.x);
     };
-    return fmt::format("  ours   {}\n  yours  {}\n", text(difference.first), text(difference.second));
+    return fmt::format("  right  {}\n  yours  {}\n", text(difference.first), text(difference.second));
 }
 
 } // namespace
 
-DivergenceText divergence_text(const Trace& ours, const Trace& theirs) {
+DivergenceText divergence_text(const Trace& right, const Trace& yours) {
     const Precision precision = precision_of(ScalarType::float64);
-    const Comparison comparison = compare(ours, theirs, precision, precision);
+    const Comparison comparison = compare(right, yours, precision, precision);
     // A normal that lies elsewhere is seen by what it does to light and rays.
     if (!comparison.divergence)
         return {fmt::format("Both runs agree: {} rays, the same hits, lights and rays that follow.\n",
@@ -69,19 +69,19 @@ DivergenceText divergence_text(const Trace& ours, const Trace& theirs) {
                 false};
     const Difference& first = *comparison.divergence;
     std::string text;
-    for (std::size_t i = 0; i < std::min(std::size_t(first.ray), ours.rays.size()); ++i)
-        text += fmt::format("ray {}, both: {}\n", i, ray_text(ours, i));
+    for (std::size_t i = 0; i < std::min(std::size_t(first.ray), right.rays.size()); ++i)
+        text += fmt::format("ray {}, both: {}\n", i, ray_text(right, i));
     text += fmt::format("\nThe first divergence, at ray {}: {}\n{}\n", first.ray, question(first.answer),
                         values_text(first));
-    for (const auto& [whose, trace] : {std::pair{"ours ", &ours}, std::pair{"yours", &theirs}}) {
+    for (const auto& [whose, trace] : {std::pair{"right", &right}, std::pair{"yours", &yours}}) {
         const auto number = std::size_t(first.ray);
         text += fmt::format("{}  ray {}: {}\n", whose, number, ray_text(*trace, number));
         if (number < trace->rays.size())
             for (const int child : trace->rays[number].children)
                 text += fmt::format("       ray {}: {}\n", child, ray_text(*trace, std::size_t(child)));
     }
-    text += fmt::format("\ncolour of the pixel:  ours {}, yours {}\n", vector_text(ours.colour),
-                        vector_text(theirs.colour));
+    text += fmt::format("\ncolour of the ray:  right {}, yours {}\n", vector_text(right.colour),
+                        vector_text(yours.colour));
     return {text, true};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where a ray of the student's run and of ours part.
+// Where a ray of the right run and of the student's part.
 
 #include "core/rayscope.hpp"
 
@@ -12,6 +12,6 @@ struct DivergenceText {
     bool parted = false;
 };
 /// Both runs, ray by ray, up to their first divergence, and that.
-[[nodiscard]] DivergenceText divergence_text(const Trace& ours, const Trace& theirs);
+[[nodiscard]] DivergenceText divergence_text(const Trace& right, const Trace& yours);
 
 } // namespace rayscope::exercises

@@ -1,0 +1,56 @@
+#include "visualizer/window/octree_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace rayscope::window {
+
+OctreePanel::OctreePanel() {
+    setObjectName("octree");
+    words.setObjectName("search");
+    levels.setOrientation(Qt::Horizontal);
+    levels.setObjectName("levels");
+    levels.setAccessibleName("Deepest level of the octree that is shown");
+    levels.setToolTip("Cells below this level are left out, here and in the 3D view");
+    levels.setPageStep(1);
+    levels.setTickPosition(QSlider::TicksBelow);
+    levels.setFocusPolicy(Qt::ClickFocus);
+    about_.setWordWrap(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
+    auto* row = new QHBoxLayout;
+    row->addWidget(&level_);
+    row->addWidget(&levels, 1);
+    column->addLayout(row);
+    column->addWidget(&chart, 3);
+    column->addWidget(&about_);
+    column->addWidget(&words, 1);
+    QObject::connect(&levels, &QSlider::valueChanged, this, [this] { show_level(); });
+}
+
+void OctreePanel::show_level() {
+    level_.setText(QString("Down to level %1 of %2 ").arg(levels.value()).arg(levels.maximum()));
+    chart.set_level(levels.value());
+    if (on_level) on_level(levels.value());
+}
+
+void OctreePanel::show_ray(const Trace& trace, int ray, int depth, const QString& about,
+                           const QString& text) {
+    chart.show_facts(octree_facts(trace, ray), "The record of that search was full.");
+    if (depth != depth_) { // of another octree all is shown
+        depth_ = depth;
+        levels.setRange(0, depth);
+        levels.setValue(depth);
+        show_level();
+    }
+    about_.setText(about);
+    if (words.toPlainText() != text) words.setPlainText(text);
+}
+
+void OctreePanel::show_nothing(const QString& why) {
+    chart.show_facts(std::nullopt, why);
+    about_.clear();
+    words.clear();
+}
+
+} // namespace rayscope::window
