@@ -29,4 +29,8 @@ template <> struct Words<Operation> {
     static constexpr std::string_view list[] = {"leaf", "union", "intersection", "difference", "complement"};
 };
 
+/// An enumeration whose values have words.
+template <typename E>
+concept Worded = requires { Words<E>::list; };
+
 } // namespace rayscope

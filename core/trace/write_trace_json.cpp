@@ -12,8 +12,6 @@ using Json = nlohmann::json;
 
 template <typename S>
 concept Listed = requires { Fields<S>::list; };
-template <typename E>
-concept Worded = requires { Words<E>::list; };
 
 Json value_of(double number) {
     if (std::isnan(number)) return "nan";

@@ -34,9 +34,6 @@ std::string_view name_in(const Trace& trace, Target target, Id id) {
     return "";
 }
 
-template <typename E>
-concept Worded = requires { Words<E>::list; };
-
 template <typename M> constexpr ValueType type_of(std::string_view name, Target target) {
     if constexpr (Worded<M>) return ValueType::word;
     if constexpr (std::is_same_v<M, bool>) return ValueType::condition;

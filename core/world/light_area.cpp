@@ -31,8 +31,8 @@ Vec3d LightArea::offset(const SquarePoint& square, const Vec3d& towards) const {
     }
     case Shape::sphere: {
         const DiskPoint p = on_disk(square);
-        const Vec3d side = across(towards);
-        return radius * (p.x * side + p.y * cross(towards, side));
+        const Vec3d sideways = across(towards);
+        return radius * (p.x * sideways + p.y * cross(towards, sideways));
     }
     case Shape::point: break;
     }

@@ -24,7 +24,7 @@ Trace read_trace(const std::filesystem::path& path) {
     }
 }
 
-std::string_view name_of(const Event& event) {
+std::string_view event_name(const Event& event) {
     return std::visit(
         [](const auto& one) -> std::string_view { return Fields<std::decay_t<decltype(one)>>::name; }, event);
 }
@@ -46,7 +46,7 @@ CutCase cut_case(const Trace& trace, int event) {
         fail(fmt::format(
             "event {} is '{}' of a ray of kind '{}', which no exercise's function answers; expected, "
             "for example, reflected, refracted, boundary_chosen, node_evaluated or place_entered",
-            event, name_of(ray.events[place.index]), name_of(ray.start().kind)));
+            event, event_name(ray.events[place.index]), name_of(ray.start().kind)));
     }
     fail(fmt::format("there is no event {}; expected 0 to {}", event,
                      total - std::min<std::size_t>(total, 1)));
