@@ -50,8 +50,9 @@ std::string judge(const dvec3& p, const dvec3& err, const dvec3& n, const dvec3&
         least += std::abs((long double)n[i]) * err[i];
         off[std::size_t(i)] = (long double)start[i] - p[i];
         shift += side * off[std::size_t(i)] * n[i];
-        // A stored number can't be nearer to what is meant than its neighbours are apart.
-        room += 2 * (std::nextafter(std::abs(start[i]), INF) - std::abs(start[i]));
+        // A stored number can't be nearer to what is meant than its neighbours are apart. Those of p: the answer must not
+        // make its own room.
+        room += 2 * (std::nextafter(std::abs(p[i]), INF) - std::abs(p[i]));
     }
     if (!(shift == shift)) return "the point is no number";
     if (shift < least * (1 - 1e-9L))

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -18,8 +19,10 @@ constexpr std::uint32_t largest_answer = 1U << 20U;
 /// The student's program, which answers call after call.
 class Server {
 public:
-    Server(const Toolchain& toolchain, const Exercise& exercise, const std::filesystem::path& program)
+    Server(const Toolchain& toolchain, const Exercise& exercise, const std::filesystem::path& program,
+           std::chrono::seconds in_all)
         : name_(exercise.functions.front().name),
+          end_(std::chrono::steady_clock::now() + in_all),
           child_(command(toolchain, program), {}, Child::Errors::kept_apart) {}
 
     [[nodiscard]] Value call(const List& arguments) {
@@ -28,12 +31,12 @@ public:
         const auto size = std::uint32_t(call.size());
         std::string request(reinterpret_cast<const char*>(&size), sizeof size);
         if (!child_.write(request + call)) fail();
-        const auto length = child_.read(sizeof size, patience);
+        const auto length = child_.read(sizeof size, time_left());
         if (!length) fail();
         std::uint32_t count = 0;
         std::memcpy(&count, length->data(), sizeof count);
         if (count > largest_answer) fail();
-        const auto answer = child_.read(count, patience);
+        const auto answer = child_.read(count, time_left());
         auto value = answer ? decoded(*answer) : std::nullopt;
         if (!value) fail();
         return std::move(*value);
@@ -54,7 +57,14 @@ private:
                         {"/runner", "/program", "serve"});
     }
 
+    [[nodiscard]] std::chrono::milliseconds time_left() const {
+        using std::chrono::milliseconds;
+        const auto left = std::chrono::duration_cast<milliseconds>(end_ - std::chrono::steady_clock::now());
+        return std::clamp(left, milliseconds(0), milliseconds(patience));
+    }
+
     std::string name_;
+    std::chrono::steady_clock::time_point end_;
     Child child_;
 };
 
@@ -105,8 +115,8 @@ std::vector<const Exercise*> with_formulas(const std::vector<Exercise>& catalogu
 }
 
 Formulas served_formulas(const Toolchain& toolchain, const Exercise& exercise,
-                         const std::filesystem::path& program) {
-    const auto server = std::make_shared<Server>(toolchain, exercise, program);
+                         const std::filesystem::path& program, std::chrono::seconds in_all) {
+    const auto server = std::make_shared<Server>(toolchain, exercise, program, in_all);
     Formulas formulas;
     if (exercise.formula == "mirror")
         formulas.mirror = [server](const Vec3d& p, const Vec3d& d, const Vec3d& n) {

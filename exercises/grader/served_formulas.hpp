@@ -5,6 +5,7 @@
 #include "exercises/grader/exercise.hpp"
 #include "exercises/grader/toolchain.hpp"
 
+#include <chrono>
 #include <memory>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace rayscope::exercises {
 
 /// The formula that the exercise asks for, computed by the program in the sandbox. A program that gives no answer makes
 /// the formula throw std::runtime_error.
+/// @param in_all after so much time it gives no answer any more
 [[nodiscard]] Formulas served_formulas(const Toolchain& toolchain, const Exercise& exercise,
-                                       const std::filesystem::path& program);
+                                       const std::filesystem::path& program, std::chrono::seconds in_all);
 
 } // namespace rayscope::exercises

@@ -2,6 +2,7 @@
 
 #include "core/scene/input_error.hpp"
 #include "exercises/grader/grade.hpp"
+#include "exercises/grader/shown_case.hpp"
 #include "exercises/grader/units.hpp"
 
 #include <fmt/format.h>
@@ -91,6 +92,14 @@ void check_misconception(const Toolchain& toolchain, const Reference& reference,
                                  exercise.misconceptions[*found.misconception].name, reference.seed));
 }
 
+/// Where there is a show(), each case has a scene that can be drawn.
+void check_shown(const Toolchain& toolchain, const Reference& reference, Problems& problems) {
+    for (std::size_t i = 0; reference.exercise->shown && i < reference.cases.size(); ++i)
+        if (!shown_runs(toolchain, reference, i, reference.outcomes[0][i], reference.program))
+            problems.add(fmt::format("show() makes no scene of '{}' (seed {})", reference.cases[i].about,
+                                     reference.seed));
+}
+
 /// No two variants of the reference may answer alike: then they could not be told apart.
 void check_distinct(const Reference& reference, Problems& problems) {
     const Exercise& exercise = *reference.exercise;
@@ -161,8 +170,10 @@ std::vector<std::string> problems_of(const Toolchain& toolchain, const Exercise&
             const Reference reference = make_reference(toolchain, exercise, seed);
             check_distinct(reference, problems);
             check_solution(toolchain, reference, solution, CaseRunner::Trust::none, problems);
-            if (seed == seeds.front())
+            if (seed == seeds.front()) {
                 check_solution(toolchain, reference, sanitized, CaseRunner::Trust::own_code, problems);
+                check_shown(toolchain, reference, problems);
+            }
             if (trial.program.empty()) continue;
             check_stub(toolchain, reference, trial, problems);
             for (std::size_t i = 0; i < exercise.misconceptions.size(); ++i)

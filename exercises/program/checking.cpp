@@ -52,7 +52,9 @@ std::optional<RayCommand> ray_command(const Toolchain& toolchain, const Checked&
                                       quoted(workspace.file(exercise))),
                           show.note};
     const std::string stage = show.stage.empty() ? "" : " --stage " + show.stage;
-    return RayCommand{fmt::format("{} step {} --ray={}{}", launcher(), right, ray, stage), show.note};
+    const char* yours =
+        runs->yours ? " Your answer makes the same ray." : " It is the right one; your answer makes none.";
+    return RayCommand{fmt::format("{} step {} --ray={}{}", launcher(), right, ray, stage), show.note + yours};
 }
 
 } // namespace

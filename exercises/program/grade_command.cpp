@@ -178,7 +178,8 @@ int run(const Context& context, const GradeAll& command) {
     in_parallel(marks.size(), command.jobs, [&](std::size_t i) {
         marks[i] = grading.mark(submissions.list[i]);
         const std::lock_guard lock(guard);
-        std::fprintf(stderr, "%zu of %zu\t%s\n", ++ready, marks.size(), submissions.list[i].student.c_str());
+        std::fprintf(stderr, "%zu of %zu\t%s\n", ++ready, marks.size(),
+                     harmless(submissions.list[i].student).c_str());
     });
     write_text_file(command.output / "junit.xml", junit_text(marks));
     write_text_file(command.output / "class.csv", class_csv(marks));

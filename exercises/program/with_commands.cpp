@@ -21,6 +21,7 @@ namespace {
 
 constexpr int usual_width = 240; // each formula is a call of another process
 constexpr int gap = 8;           // between the panels
+constexpr std::chrono::hours most_served{1};
 
 fs::path find_scene(const std::string& text) {
     if (fs::is_regular_file(text)) return text;
@@ -123,7 +124,7 @@ int run(const Context& context, const RenderWith& command) {
         size_of(command.size, {width, std::max(1, width * camera.height / camera.width)});
     const Image ours = render(bench, options).image;
     const Image theirs =
-        render(bench, served_formulas(*toolchain, *mine.exercise, mine.program), options).image;
+        render(bench, served_formulas(*toolchain, *mine.exercise, mine.program, most_served), options).image;
     const Panels panels = panels_of(theirs, ours);
     write_image(panels.image, command.output);
     std::printf("%s: with your function, with ours, and the difference\n", command.output.c_str());
@@ -143,7 +144,7 @@ int run(const Context& context, const StepWith& command) {
     const Camera& camera = bench.scene.camera;
     const auto toolchain = make_toolchain(context);
     const Substitute mine = substitute(context, *toolchain, command.with);
-    const Formulas formulas = served_formulas(*toolchain, *mine.exercise, mine.program);
+    const Formulas formulas = served_formulas(*toolchain, *mine.exercise, mine.program, most_served);
     const auto [width, height] = size_of(command.size, {camera.width, camera.height});
     Trace ours, theirs;
     if (command.ray) {

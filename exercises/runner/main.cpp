@@ -70,6 +70,7 @@ int main(int count, char** arguments) {
     what.program = arguments[1];
     Limits limits;
     limits.computing_only = std::strcmp(arguments[2], "trusted") != 0;
+    std::chrono::steady_clock::duration waited{};
     while (const auto words = read_number()) {
         what.words.clear();
         for (std::uint32_t i = 0; i < *words; ++i) {
@@ -80,7 +81,10 @@ int main(int count, char** arguments) {
         auto input = read_text();
         if (!input) return 1;
         what.input = std::move(*input);
+        const auto begin = std::chrono::steady_clock::now();
         const End end = run(what, limits);
+        waited += std::chrono::steady_clock::now() - begin;
+        if (waited > most_waiting_in_all) limits.wall = later_waiting;
         if (end.how == 't') {
             limits.cpu = later_computing;
             limits.wall = later_waiting;

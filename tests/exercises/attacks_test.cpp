@@ -1,6 +1,8 @@
 // Submissions that want points, or harm, without earning them. Each file of attacks/ names in its first line how at
 // least one of its runs ends; none may have more points than its honest part, which returns no span.
 
+#include "exercises/grader/served_formulas.hpp"
+#include "exercises/grader/units.hpp"
 #include "tests/exercises/grading.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -98,6 +100,38 @@ TEST_F(Grader, rewards_no_answers_learnt_by_heart) {
     const Grade known = grade(toolchain(), practice, code), other = grade(toolchain(), sphere(), code);
     EXPECT_EQ(known.score, 15);
     EXPECT_LE(other.score, honest_score());
+}
+
+// Where many answers are right, one without end is not.
+TEST_F(Grader, takes_no_point_that_is_infinitely_far_away) {
+    const Exercise& exercise = find_exercise(catalogue(), "7-03-spawn");
+    const Reference reference = make_reference(toolchain(), exercise, 4711);
+    for (const std::string far : {"INF", "std::numeric_limits<double>::max()", "1e300", "NAN"}) {
+        const Grade result = grade(toolchain(), reference,
+                                   "dvec3 spawn(dvec3 p, dvec3 err, dvec3 n, dvec3 d) {\n"
+                                   "    for (int i = 0; i < 3; ++i)\n"
+                                   "        if (const double to = (dot(d, n) < 0 ? -1 : 1) * n[i]; "
+                                   "to != 0) p[i] = std::copysign(" +
+                                       far +
+                                       ", to);\n"
+                                       "    return p;\n}\n");
+        EXPECT_TRUE(result.compiled) << far;
+        EXPECT_EQ(result.score, 0) << far;
+    }
+}
+
+// One that takes its time with every call is not waited for as long as there are calls.
+TEST_F(Grader, draws_no_ray_of_a_function_that_answers_slowly) {
+    const Exercise& exercise = find_exercise(catalogue(), "3-01-mirror");
+    const PrivateFolder folder(toolchain().cache());
+    const Compiled slow = toolchain().compile(
+        answer_unit(exercise,
+                    "#include <unistd.h>\ndvec3 mirror(const dvec3&, const dvec3& d, const dvec3&) {\n"
+                    "    sleep(3);\n    return d;\n}\n"),
+        folder.path() / "program");
+    const Formulas formulas = served_formulas(toolchain(), exercise, slow.program, std::chrono::seconds(5));
+    EXPECT_EQ(formulas.mirror(Vec3d(0), Vec3d(1, 0, 0), Vec3d(0, 0, 1)), Vec3d(1, 0, 0));
+    EXPECT_THROW((void)formulas.mirror(Vec3d(0), Vec3d(1, 0, 0), Vec3d(0, 0, 1)), std::runtime_error);
 }
 
 // One case of all takes longer than a second of the processor, and less than two.

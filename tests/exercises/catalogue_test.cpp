@@ -1,7 +1,9 @@
 // The shipped exercises: complete, and each one tests what it says.
 
+#include "core/files/atomic_file.hpp"
 #include "exercises/grader/verify.hpp"
 #include "tests/exercises/grading.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -52,6 +54,19 @@ TEST_P(ExercisesFull, test_what_they_say_for_100_seeds) {
 }
 INSTANTIATE_TEST_SUITE_P(Slow, ExercisesFull, testing::ValuesIn(ids()),
                          [](const auto& one) { return test_name(one.param); });
+
+TEST_F(InSandbox, verification_finds_a_case_that_can_not_be_shown) {
+    const TemporaryFolder folder;
+    const Exercise& pays = find_exercise(catalogue(), "pays");
+    std::filesystem::copy(pays.folder, folder.path() / "9-01-pays", std::filesystem::copy_options::recursive);
+    Exercise copy = read_exercise(folder.path() / "9-01-pays");
+    const std::string cases = content_of(copy.cases());
+    write_text_file(copy.cases(),
+                    cases.substr(0, cases.find("/// A ray that pays")) +
+                        "Shown show(double, double, double) { return {\"[generics.x]\", {}}; }\n");
+    EXPECT_THAT(problems_of(toolchain(), copy, seeds(1)),
+                testing::Contains(testing::HasSubstr("show() makes no scene of")));
+}
 
 TEST(Renamed, changes_variables_and_nothing_else) {
     Exercise exercise;

@@ -4,6 +4,8 @@
 #include "visualizer/drawing/scene_objects.hpp"
 #include "visualizer/window/ray_view_parts.hpp"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +14,7 @@ namespace {
 
 // Rays of a trace of thousands that are drawn: the current one's path and what it spawned come first, then the heaviest.
 constexpr std::size_t most_rays_drawn = 600;
-constexpr int paint_after = 0, refine_after = 300; // milliseconds
+constexpr int refine_after = 300; // milliseconds
 
 } // namespace
 
@@ -27,11 +29,9 @@ RayView::RayView() : actors_(std::make_unique<Actors>()), worker_(this) {
                "choose and move it.");
     setMouseTracking(true); // the cursor tells what can be caught
     setRenderWindow(actors_->window);
-    paint_timer_.setSingleShot(true);
     settle_timer_.setSingleShot(true);
     refine_timer_.setSingleShot(true);
     QObject::connect(&refine_timer_, &QTimer::timeout, this, [this] { render(true); });
-    QObject::connect(&paint_timer_, &QTimer::timeout, this, [this] { draw(); });
     QObject::connect(&settle_timer_, &QTimer::timeout, this, [this] {
         moving_ = false;
         changed(true);
@@ -158,7 +158,9 @@ void RayView::zoom(double factor) {
 
 void RayView::changed(bool surfaces) {
     surfaces_changed_ = surfaces_changed_ || surfaces;
-    if (!paint_timer_.isActive()) paint_timer_.start(paint_after);
+    // Before the window's panels are painted, so that all of them come to the screen at once: that is half the work.
+    if (!std::exchange(draw_posted_, true))
+        QCoreApplication::postEvent(this, new QEvent(draw_event), Qt::HighEventPriority);
 }
 
 void RayView::finish() {
@@ -168,13 +170,11 @@ void RayView::finish() {
         surfaces_changed_ = true;
         draw();
     }
-    if (paint_timer_.isActive()) {
-        paint_timer_.stop();
-        draw();
-    }
+    if (draw_posted_) draw();
 }
 
 void RayView::draw() {
+    draw_posted_ = false;
     if (!scene_ || !trace_) return;
     if (moving_) {
         aim();
@@ -200,8 +200,7 @@ void RayView::draw() {
 
 /// Without a graphics card the right order of all that is translucent takes several times as long: it waits for a rest.
 void RayView::render(bool fine) {
-    actors_->world->SetUseDepthPeeling(fine);
-    actors_->world->SetUseFXAA(fine);
+    actors_->draw_finely(fine);
     if (isValid()) actors_->window->Render();
     update();
 }

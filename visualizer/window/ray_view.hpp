@@ -8,6 +8,7 @@
 #include "visualizer/window/orbit.hpp"
 #include "visualizer/window/worker.hpp"
 
+#include <QEvent>
 #include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 
@@ -66,8 +67,8 @@ public:
 
     /// Whether the surfaces are those of the trace.
     [[nodiscard]] bool complete() const {
-        return !worker_.busy() && scene_ != nullptr && !paint_timer_.isActive() &&
-               !settle_timer_.isActive() && !refine_timer_.isActive();
+        return !worker_.busy() && scene_ != nullptr && !draw_posted_ && !settle_timer_.isActive() &&
+               !refine_timer_.isActive();
     }
     [[nodiscard]] std::size_t rays_drawn() const { return styles_.size(); }
     [[nodiscard]] std::vector<std::string> surfaces_shown() const;
@@ -94,6 +95,7 @@ protected:
     void resizeGL(int width, int height) override;
 
 private:
+    static constexpr auto draw_event = QEvent::Type(QEvent::User + 1);
     struct Scenery; // what is slow to make: made beside the window
     struct Actors;
 
@@ -133,7 +135,8 @@ private:
     std::optional<Grip> grip_;
     std::optional<Handle> caught_;
     bool caught_moved_ = false;
-    QTimer paint_timer_, settle_timer_, refine_timer_;
+    bool draw_posted_ = false; // an event to draw is on its way
+    QTimer settle_timer_, refine_timer_;
     Worker worker_; // last: it ends before what it hands over to
 };
 

@@ -10,6 +10,10 @@ namespace rayscope::window {
 
 /// VTK's own interaction stays out: its keys and buttons mean other things.
 bool RayView::event(QEvent* event) {
+    if (event->type() == draw_event) {
+        if (draw_posted_) draw();
+        return true;
+    }
     switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonRelease:

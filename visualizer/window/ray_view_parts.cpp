@@ -5,9 +5,14 @@
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
+#include <vtkLightsPass.h>
 #include <vtkMapper.h>
+#include <vtkOpaquePass.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkSequencePass.h>
+#include <vtkTranslucentPass.h>
 
 #include <algorithm>
 
@@ -74,6 +79,14 @@ RayView::Actors::Actors() {
     outlines->GetProperty()->SetLineWidth(1.5F);
     strokes = drawing::actor_of(nothing, true);
     for (vtkActor* actor : {floors.Get(), faces.Get(), outlines.Get(), strokes.Get()}) world->AddActor(actor);
+    // VTK's own way without peeling sorts translucent fragments, in several passes over the whole view.
+    const vtkNew<vtkRenderPassCollection> parts;
+    parts->AddItem(vtkNew<vtkLightsPass>());
+    parts->AddItem(vtkNew<vtkOpaquePass>());
+    parts->AddItem(vtkNew<vtkTranslucentPass>());
+    const vtkNew<vtkSequencePass> sequence;
+    sequence->SetPasses(parts);
+    coarse->SetDelegatePass(sequence);
     overlay->SetLayer(1);
     overlay->InteractiveOff();
     vtkNew<vtkContextActor> labels;
@@ -101,6 +114,12 @@ void RayView::Actors::look(const Vec3d& position, const Vec3d& focus, const Vec3
     camera->SetPosition(position.x, position.y, position.z);
     camera->SetFocalPoint(focus.x, focus.y, focus.z);
     camera->SetViewUp(up.x, up.y, up.z);
+}
+
+void RayView::Actors::draw_finely(bool fine) {
+    world->SetUseDepthPeeling(fine);
+    world->SetUseFXAA(fine);
+    world->SetPass(fine ? nullptr : coarse.Get());
 }
 
 void RayView::Actors::clip(const drawing::View& view, double seen, double all) {

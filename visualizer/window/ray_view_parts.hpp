@@ -7,6 +7,7 @@
 #include "visualizer/window/explode.hpp"
 #include "visualizer/window/ray_view.hpp"
 
+#include <vtkCameraPass.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
@@ -34,11 +35,14 @@ struct RayView::Actors {
     void show_canvas(drawing::Canvas canvas, int height, int scale);
     void show_labels(bool on);
     void look(const Vec3d& position, const Vec3d& focus, const Vec3d& up);
+    /// Translucent things in their right order, and smooth edges; or blended in any order, which is much quicker.
+    void draw_finely(bool fine);
     void clip(const drawing::View& view, double seen, double all);
 
     vtkNew<vtkGenericOpenGLRenderWindow> window;
     vtkNew<vtkRenderer> world, overlay;
     vtkSmartPointer<vtkActor> floors, faces, outlines, strokes;
+    vtkNew<vtkCameraPass> coarse;
     vtkNew<drawing::CanvasItem> canvas;
     vtkSmartPointer<vtkPolyData> rays, hits; // of the trace
     drawing::Surfaces named;                 // what is shown
