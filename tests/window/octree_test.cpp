@@ -39,8 +39,9 @@ TEST_F(Window, the_octree_is_drawn_with_the_counts_of_the_terminal_down_to_a_lev
     const std::regex summary(R"(octree: (\d+) cells?, (\d+) tests?, (\d+) saved of (\d+) objects)");
     ASSERT_TRUE(std::regex_search(terminal.out, counts, summary)) << terminal.out << terminal.err;
 
-    const Reports window = run_window(
-        screen, file.string(), "wait\ntab Octree\nlevel 1\nlevel 0\nlevel 9\npick 2 2\n", {"--pixel", "30,22"});
+    const Reports window =
+        run_window(screen, file.string(), "wait\ntab Octree\nlevel 1\nlevel 0\nlevel 9\npick 2 2\n",
+                   {"--pixel", "30,22"});
     ASSERT_EQ(window.lines.size(), 6U) << window.outcome.err;
     EXPECT_TRUE(window.lines[0]["octree"].is_null()) << "nobody looks at it yet";
     const json& all = window.lines[1]["octree"];

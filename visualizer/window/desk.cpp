@@ -33,7 +33,8 @@ Desk::Desk(cli::RayChoice choice) : choice_(std::move(choice)), style_{cli::Numb
 /// Nothing is changed yet.
 void Desk::begin(std::filesystem::path file) {
     file_ = std::move(file);
-    original_ = text_ = text_of(file_);
+    original_ = text_of(file_);
+    hash_ = content_hash(file_);
     edits_ = saved_ = {};
     before_.clear();
     after_.clear();
@@ -201,13 +202,12 @@ bool Desk::go_back(std::vector<State>& from, std::vector<State>& here) {
 void Desk::save() {
     if (file_.extension() != ".toml")
         throw std::runtime_error(file_.string() + " is no TOML scene: changes can't be saved into it");
-    if (text_of(file_) != text_)
+    if (content_hash(file_) != hash_)
         throw std::runtime_error(file_.string() +
                                  " was changed by another program since it was opened: not saved");
     // From the text as it was first read, with all values that differ from it; undone ones are not among them.
-    std::string text = with_edits(file_.string(), original_, edits_);
-    write_text_file(file_, text);
-    text_ = std::move(text);
+    write_text_file(file_, with_edits(file_.string(), original_, edits_));
+    hash_ = content_hash(file_);
     saved_ = edits_;
 }
 

@@ -78,7 +78,8 @@ private:
     cli::RayChoice choice_;
     cli::StepStyle style_;
     std::filesystem::path file_;
-    std::string original_, text_; // of the file: as it was opened, and as it was last read or saved
+    std::string original_; // text of the file, as it was opened
+    std::string hash_;     // … as it was last read or saved
     std::shared_ptr<const Workbench> bench_;
     std::optional<cli::Session> session_;
     Edits edits_, saved_;

@@ -1,6 +1,7 @@
 #include "visualizer/window/image_maker.hpp"
 
 #include "visualizer/drawing/heat_map.hpp"
+#include "visualizer/window/memory.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -75,6 +76,7 @@ void ImageMaker::make(std::shared_ptr<const Workbench> bench, std::optional<Heat
         for (const int coarseness : passes(coarse)) {
             if (!stop) (void)make(coarseness);
         }
+        give_back_memory(); // of reading the scene, too: of a large one more than a hundred megabytes
     });
 }
 

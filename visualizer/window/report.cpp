@@ -1,26 +1,13 @@
 #include "visualizer/window/main_window.hpp"
+#include "visualizer/window/memory.hpp"
 #include "visualizer/window/script.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <fstream>
 
 namespace rayscope::window {
 namespace {
 
 std::string text_of(const QString& text) { return text.toStdString(); }
-
-/// Of this process, in megabytes.
-double memory() {
-    std::ifstream status("/proc/self/status");
-    for (std::string word; status >> word;)
-        if (word == "VmRSS:") {
-            double kilobytes = 0;
-            status >> kilobytes;
-            return std::round(kilobytes / 1024);
-        }
-    return 0;
-}
 
 nlohmann::json lanes_json(const MainWindow& window) {
     nlohmann::json lanes = nlohmann::json::array();
@@ -101,7 +88,7 @@ std::string report_of(MainWindow& window, const std::string& line, bool ok) {
         {"space", {{"rays", window.space.rays_drawn()}, {"surfaces", window.space.surfaces_shown()}}},
         {"size", {window.width(), window.height()}},
         {"milliseconds", window.last_milliseconds()},
-        {"megabytes", memory()}};
+        {"megabytes", resident_memory()}};
     return report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
