@@ -1,7 +1,7 @@
 #include "exercises/grader/cut_case.hpp"
 
 #include "core/scene/source_text.hpp"
-#include "core/trace/trace_fields.hpp"
+#include "core/walk/fields.hpp"
 #include "exercises/grader/event_case.hpp"
 #include "exercises/grader/trace_text.hpp"
 
@@ -22,11 +22,6 @@ Trace read_trace(const std::filesystem::path& path) {
     } catch (const std::exception& error) {
         throw InputError(path.string(), {}, fmt::format("no trace: {}", error.what()));
     }
-}
-
-std::string_view event_name(const Event& event) {
-    return std::visit(
-        [](const auto& one) -> std::string_view { return Fields<std::decay_t<decltype(one)>>::name; }, event);
 }
 
 } // namespace
