@@ -14,9 +14,13 @@ if(PROJECT_IS_TOP_LEVEL AND RAYSCOPE_BATCH GREATER 1 AND NOT DEFINED CMAKE_UNITY
   set(CMAKE_UNITY_BUILD_BATCH_SIZE ${RAYSCOPE_BATCH})
 endif()
 
-# rayscope_no_hot_loop(target): little optimization, since all that takes time happens in core.
+# rayscope_no_hot_loop(target): little optimization, since all that takes time happens in core. But whatever uses the
+# wide registers must also clear them (vzeroupper, which GCC's -O1 leaves out), or __float128 takes eight times as long:
+# a template of core's may be taken from here. All that share headers need the same options: headers compiled before
+# bring theirs along.
 function(rayscope_no_hot_loop target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(
+    ${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-fexpensive-optimizations>)
 endfunction()
 
 # rayscope_shared_headers(name LIBRARIES … HEADERS …): headers compiled once, for all targets that say
