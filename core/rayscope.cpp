@@ -162,6 +162,11 @@ std::shared_ptr<const StageSet> make_stages(const Workbench& bench, const std::o
                                       screen_of(bench.scene.camera, width, height));
 }
 
+std::optional<OctreeStatistics> octree_statistics(const StageSet& stages) {
+    if (stages.octree() == nullptr) return std::nullopt;
+    return stages.octree()->statistics();
+}
+
 Trace trace_pixel(const Workbench& bench, const StageSet& stages, int x, int y, int width, int height,
                   int sample) {
     auto [ray, source] = through_pixel(bench.scene.camera, x, y, width, height, sample);

@@ -99,6 +99,8 @@ struct Workbench {
 /// @param width, height of the image that pixels belong to; 0: the scene's
 [[nodiscard]] std::shared_ptr<const StageSet>
 make_stages(const Workbench& bench, const std::optional<StageChoice>& choice, int width = 0, int height = 0);
+/// Of the octree among the stages; nothing if there is none.
+[[nodiscard]] std::optional<OctreeStatistics> octree_statistics(const StageSet& stages);
 
 /// The same rays, hits and colours by the way of stages: the trace tells of the places that they look into, and only of
 /// the objects that they test.

@@ -7,7 +7,7 @@
 
 namespace rayscope {
 
-/// Immutable. About 140 bytes a triangle where six triangles share a vertex.
+/// Immutable. About 100 bytes a triangle where six triangles share a vertex.
 class TriangleMesh {
 public:
     /// @param data at least one triangle, at most most_triangles. A closed mesh that is inside out is turned.

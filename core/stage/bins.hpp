@@ -15,13 +15,14 @@ public:
     /// @return its number: they are counted from 0
     std::uint32_t add(const World<N>& world, std::span<const std::uint32_t> objects) {
         for (const std::uint32_t object : objects) {
-            if (const auto ball = deciding_ball(world, world.objects[object]))
+            if (const auto ball = deciding_ball(world, world.objects[object])) {
                 balls_.add(world.solids[*ball], object);
-            else if (const auto* triangle = free_triangle(world, world.objects[object])) {
+            } else if (const auto* triangle = free_triangle(world, world.objects[object])) {
                 const auto& corner = triangle->vertices();
                 triangles_.add(corner[0], corner[1], corner[2], object);
-            } else
+            } else {
                 others_.push_back(object);
+            }
         }
         balls_.end_group();
         triangles_.end_group();

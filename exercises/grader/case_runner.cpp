@@ -131,7 +131,6 @@ std::string text_of(const Outcome& outcome, int digits) {
     case OutcomeKind::threw: return "an exception";
     case OutcomeKind::crashed: return "a crash (" + signal_text(outcome.detail) + ")";
     case OutcomeKind::timed_out:
-
         return fmt::format("no answer within {} s of computing", runner::most_computing.count() / 1000);
     case OutcomeKind::ended_early:
         return fmt::format("no answer: the program ended itself (exit code {})", outcome.detail);

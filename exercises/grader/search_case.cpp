@@ -13,7 +13,6 @@ std::string box_code(const PlaceEntered& place) {
 
 /// The event's search, from where it begins to where it ends.
 struct Search {
-    StageKind stage = StageKind::scan;
     std::vector<std::string> cells; // with the objects that were hit in each
     std::vector<std::string> hits;
 };
@@ -23,7 +22,6 @@ Search search_of(const TracedRay& ray) {
     std::vector<std::string> objects;
     const PlaceEntered* cell = nullptr;
     for (const Event& event : ray.events) {
-        if (const auto* began = std::get_if<SearchBegan>(&event)) search.stage = began->stage;
         if (const auto* entered = std::get_if<PlaceEntered>(&event))
             if (entered->kind == PlaceKind::cell) cell = entered, objects.clear();
         if (const auto* hit = std::get_if<ObjectAccepted>(&event)) {
@@ -57,7 +55,8 @@ std::optional<EventCase> first_hit(const TracedRay& ray) {
 std::optional<EventCase> search_case(const EventPlace& place) {
     const Event& event = place.ray.events[place.index];
     if (const auto* entered = std::get_if<PlaceEntered>(&event)) {
-        const bool octree = search_of(place.ray).stage == StageKind::octree;
+        const auto* began = place.ray.find<SearchBegan>();
+        const bool octree = began != nullptr && began->stage == StageKind::octree;
         if (entered->kind == PlaceKind::node && octree)
             return EventCase{"6-02-order", box_code(*entered) + ", " + ray_code(place.ray)};
         if (entered->kind == PlaceKind::extent || entered->kind == PlaceKind::cell ||

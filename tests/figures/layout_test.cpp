@@ -74,7 +74,7 @@ TEST(Layout, no_line_goes_through_a_text) {
         for (const PlacedText& text : marks.texts) {
             const drawing::Area letters = shrunk(text.area, text.size / 5);
             for (const DrawnLine& line : marks.lines) {
-                const bool crosses = length_within(line, letters) > slack;
+                const bool crosses = drawing::length_within(line.from, line.to, letters) > slack;
                 EXPECT_FALSE(crosses && !is_covered(marks, letters, line.order, text.order))
                     << name << ": a line from (" << line.from.x << ", " << line.from.y << ") to ("
                     << line.to.x << ", " << line.to.y << ") through '" << text.words << "'";

@@ -99,23 +99,6 @@ bool is_covered(const SvgMarks& marks, const Area& area, std::size_t after, std:
     });
 }
 
-double length_within(const DrawnLine& line, const Area& area) {
-    const double x = line.to.x - line.from.x, y = line.to.y - line.from.y;
-    double enter = 0, leave = 1;
-    const auto clip = [&](double start, double step, double low, double high) {
-        if (step == 0) {
-            if (start < low || start > high) leave = -1;
-            return;
-        }
-        const double a = (low - start) / step, b = (high - start) / step;
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-    };
-    clip(line.from.x, x, area.x, area.right());
-    clip(line.from.y, y, area.y, area.bottom());
-    return std::max(0.0, leave - enter) * std::hypot(x, y);
-}
-
 Area shrunk(const Area& area, double by) {
     return {area.x + by, area.y + by, std::max(0.0, area.width - 2 * by),
             std::max(0.0, area.height - 2 * by)};

@@ -40,9 +40,6 @@ struct SvgMarks {
 [[nodiscard]] bool is_covered(const SvgMarks& marks, const drawing::Area& area, std::size_t after,
                               std::size_t before);
 
-/// How much of a line is within an area, as a length.
-[[nodiscard]] double length_within(const DrawnLine& line, const drawing::Area& area);
-
 /// Smaller by so much on each side.
 [[nodiscard]] drawing::Area shrunk(const drawing::Area& area, double by);
 

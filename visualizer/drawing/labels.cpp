@@ -6,31 +6,10 @@
 #include <numbers>
 
 namespace rayscope::drawing {
-namespace {
-
-/// Length in pixels of the segment within the area (Liang, Barsky 1984).
-double covered(const FlatSegment& segment, const Area& area) {
-    const double dx = segment.to.x - segment.from.x, dy = segment.to.y - segment.from.y;
-    double low = 0, high = 1;
-    const auto clip = [&](double start, double step, double from, double to) {
-        if (step == 0) {
-            if (start < from || start > to) high = -1;
-            return;
-        }
-        const double a = (from - start) / step, b = (to - start) / step;
-        low = std::max(low, std::min(a, b));
-        high = std::min(high, std::max(a, b));
-    };
-    clip(segment.from.x, dx, area.x, area.right());
-    clip(segment.from.y, dy, area.y, area.bottom());
-    return high > low ? (high - low) * std::hypot(dx, dy) : 0;
-}
-
-} // namespace
 
 double LabelPlacer::cost(const Area& area) const {
     double total = 0;
-    for (const FlatSegment& stroke : strokes_) total += covered(stroke, area);
+    for (const FlatSegment& stroke : strokes_) total += length_within(stroke.from, stroke.to, area);
     return total;
 }
 

@@ -51,10 +51,10 @@ public:
                                  from.y + (to.y - from.y) * at / length - 2, 4, 4});
         }
     }
-    /// @return what the name's place costs: the length of its lead; much more if that crosses a name or a mark, or if
+    /// @param all places that the name may have
+    /// @return what the one that it takes costs: the length of its lead; much more if that crosses a name or a mark, or if
     /// there is no place
-    double take(const NamedMark& named, std::optional<PlacedName>& placed) {
-        const std::vector<Area> all = candidates(named);
+    double take(const NamedMark& named, const std::vector<Area>& all, std::optional<PlacedName>& placed) {
         const auto is_free = [&](const Area& area) {
             return room_.contains(area) && !hits(area, marks_) && !hits(area, line_) && !hits(area, names_);
         };
@@ -94,13 +94,16 @@ std::vector<std::optional<PlacedName>> place_names(const std::vector<NamedMark>&
     if (names.empty()) return best;
     std::vector<std::size_t> order(names.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
+    std::vector<std::vector<Area>> all;
+    for (const NamedMark& named : names) all.push_back(candidates(named));
     double least = infinity<double>;
     // Who comes first takes places from the others, and which order is good can't be told beforehand.
     std::mt19937 random(1);
+    const Places no_names(marks, line, room, names.front().size);
     for (int tries = 0; tries < 300; ++tries) {
-        Places places(marks, line, room, names.front().size);
+        Places places = no_names;
         double cost = 0;
-        for (const std::size_t i : order) cost += places.take(names[i], placed[i]);
+        for (const std::size_t i : order) cost += places.take(names[i], all[i], placed[i]);
         if (cost < least) {
             least = cost;
             best = placed;

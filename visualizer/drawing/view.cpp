@@ -27,6 +27,24 @@ Fit fit(std::span<const Vec3d> points, double k, const Offset& offset, const Dep
 
 } // namespace
 
+// Liang and Barsky 1984.
+double length_within(const Pixel& from, const Pixel& to, const Area& area) {
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    double enter = 0, leave = 1;
+    const auto clip = [&](double start, double step, double low, double high) {
+        if (step == 0) {
+            if (start < low || start > high) leave = -1;
+            return;
+        }
+        const double a = (low - start) / step, b = (high - start) / step;
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    };
+    clip(from.x, dx, area.x, area.right());
+    clip(from.y, dy, area.y, area.bottom());
+    return std::max(0.0, leave - enter) * std::hypot(dx, dy);
+}
+
 View::View(const Region& region, const Area& area, const Vec3d& back, const Vec3d& up,
            std::span<const Vec3d> points, double share)
     : area_(area),

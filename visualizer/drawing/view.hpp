@@ -26,6 +26,9 @@ struct Pixel {
     double x = 0, y = 0;
 };
 
+/// Length in pixels of the part of a segment that lies within an area.
+[[nodiscard]] double length_within(const Pixel& from, const Pixel& to, const Area& area);
+
 /// The part of a segment that is in view, as shares of its length.
 struct Part {
     double from = 0, to = 1;

@@ -1,4 +1,4 @@
-// StageTime times of each stage as the number of objects grows.
+// Measured times of each stage as the number of objects grows.
 
 #include "visualizer/figures/figures.hpp"
 #include "visualizer/figures/lanes.hpp"

@@ -12,7 +12,7 @@ void OctreeRun::begin(std::shared_ptr<const Workbench> bench, const Trace& trace
 void OctreeRun::build() {
     if (stages_ != nullptr) return;
     stages_ = make_stages(*bench_, stage_choice("octree"));
-    statistics_ = Octree<double>(bench_->world).statistics();
+    statistics_ = octree_statistics(*stages_).value();
 }
 
 const Trace& OctreeRun::trace() {
