@@ -16,8 +16,9 @@ public:
     explicit OutlineView(const Ray<T>& ray) : ray_(ray) {
         const Vec3<T> size = absolute(ray.direction);
         z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-        shear_x_ = ray.direction[x()] / ray.direction[z_];
-        shear_y_ = ray.direction[y()] / ray.direction[z_];
+        const Vec3<T> along = turned(ray.direction);
+        shear_x_ = along.x / along.z;
+        shear_y_ = along.y / along.z;
     }
 
     struct Corner {
@@ -73,14 +74,16 @@ private:
         return b.above ? side > Wider(0) : side < Wider(0);
     }
 
-    [[nodiscard]] int x() const { return (z_ + 1) % 3; }
-    [[nodiscard]] int y() const { return (z_ + 2) % 3; }
+    /// The axis that is nearest to the ray comes last.
+    [[nodiscard]] Vec3<T> turned(const Vec3<T>& v) const {
+        if (z_ == 2) return v;
+        return z_ == 0 ? Vec3<T>{v.y, v.z, v.x} : Vec3<T>{v.z, v.x, v.y};
+    }
     // Five roundings of at most half an ε, as neither shear is above 1.
     [[nodiscard]] Corner seen(const Vec3<T>& vertex) const {
-        const Vec3<T> v = vertex - ray_.origin;
-        const T size = maximum(magnitude(v[x()]), magnitude(v[y()])) + magnitude(v[z_]);
-        return {&vertex, fma(-shear_x_, v[z_], v[x()]), fma(-shear_y_, v[z_], v[y()]),
-                T(2) * epsilon<T> * size, false};
+        const Vec3<T> v = turned(vertex - ray_.origin);
+        const T size = maximum(magnitude(v.x), magnitude(v.y)) + magnitude(v.z);
+        return {&vertex, fma(-shear_x_, v.z, v.x), fma(-shear_y_, v.z, v.y), T(2) * epsilon<T> * size, false};
     }
 
     Ray<T> ray_;

@@ -41,6 +41,7 @@ template <Numbers N> Transform<N>::Transform(const Mat4d& matrix) {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) inverse_[i][j] = T(c[std::size_t(j)][std::size_t(i)] / det);
     translation_ = {T(matrix[3][0]), T(matrix[3][1]), T(matrix[3][2])};
+    only_moves_ = inverse_ == Mat3<T>{T(1)};
     if constexpr (is_textbook<N>) column_ = -apply(translation_);
 }
 

@@ -38,6 +38,7 @@ public:
 
     /// Unit world normal of an object-space normal of any length: M⁻ᵀ n, normalized.
     [[nodiscard]] Vec3<T> normal_to_world(const Vec3<T>& n) const {
+        if (only_moves_) return normalized(n);
         return normalized(
             Vec3<T>{column(n.x, n.y, n.z, 0), column(n.x, n.y, n.z, 1), column(n.x, n.y, n.z, 2)});
     }
@@ -66,9 +67,7 @@ public:
 
     [[nodiscard]] const Vec3<T>& translation() const { return translation_; }
     /// Object space is world space.
-    [[nodiscard]] bool is_identity() const {
-        return inverse_ == Mat3<T>{T(1)} && translation_ == Vec3<T>{T(0)};
-    }
+    [[nodiscard]] bool is_identity() const { return only_moves_ && translation_ == Vec3<T>{T(0)}; }
 
 private:
     struct Nothing {};
@@ -79,8 +78,12 @@ private:
     [[nodiscard]] T column(T x, T y, T z, int j) const {
         return fma(inverse_[0][j], x, fma(inverse_[1][j], y, inverse_[2][j] * z));
     }
-    [[nodiscard]] Vec3<T> apply(const Vec3<T>& v) const { return {row(0, v), row(1, v), row(2, v)}; }
+    [[nodiscard]] Vec3<T> apply(const Vec3<T>& v) const {
+        if (only_moves_) return v;
+        return {row(0, v), row(1, v), row(2, v)};
+    }
     [[nodiscard]] Vec3<T> spread(const Vec3<T>& v) const {
+        if (only_moves_) return absolute(v);
         const auto part = [&](int i) {
             return magnitude(inverse_[i][0] * v.x) + magnitude(inverse_[i][1] * v.y) +
                    magnitude(inverse_[i][2] * v.z);
@@ -90,6 +93,7 @@ private:
 
     Mat3<T> inverse_{T(1)}; // inverse_[i] is row i, not GLM's column i
     Vec3<T> translation_{T(0)};
+    bool only_moves_ = true; // the linear part is 1
     // M⁻¹'s own last column, −inverse · T: the textbook's alone.
     [[no_unique_address]] std::conditional_t<is_textbook<N>, Vec3<T>, Nothing> column_{};
 };

@@ -6,7 +6,7 @@
 namespace rayscope {
 
 /// x^n for 0 ≤ x ≤ 1 and n ≥ 0, in the same bits on every machine: libm's pow differs between processors.
-/// The whole part of n by squaring, its binary fraction to 2⁻²⁴ by square roots.
+/// The whole part of n by squaring, its fraction as 2^(fraction · log₂ x), to 10⁻¹³ of the result.
 [[nodiscard]] double phong_power(double x, double n);
 
 /// Lambert: max(0, n·l).

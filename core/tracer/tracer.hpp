@@ -38,7 +38,7 @@ public:
     [[nodiscard]] Colour trace(const Ray<T>& ray) { return trace(ray, {RayKind::eye, none, none, none}, 0); }
     /// @param sample of which pixel the ray is which sample
     [[nodiscard]] Colour trace(const Ray<T>& ray, const SampleAddress& sample) {
-        return trace(ray, {RayKind::eye, sample.x, sample.y, none}, sample.seed());
+        return trace(ray, {RayKind::eye, sample.x, sample.y, none}, all_effects ? sample.seed() : 0);
     }
 
     [[nodiscard]] const Order& order() const { return order_; }
