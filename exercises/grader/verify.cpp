@@ -92,12 +92,18 @@ void check_misconception(const Toolchain& toolchain, const Reference& reference,
                                  exercise.misconceptions[*found.misconception].name, reference.seed));
 }
 
-/// Where there is a show(), each case has a scene that can be drawn.
-void check_shown(const Toolchain& toolchain, const Reference& reference, Problems& problems) {
-    for (std::size_t i = 0; reference.exercise->shown && i < reference.cases.size(); ++i)
-        if (!shown_runs(toolchain, reference, i, reference.outcomes[0][i], reference.program))
+/// Where there is a show(), each case has a scene that can be drawn, and the solution's ray is the tracer's.
+void check_shown(const Toolchain& toolchain, const Reference& reference, const Compiled& solution,
+                 Problems& problems) {
+    for (std::size_t i = 0; reference.exercise->shown && i < reference.cases.size(); ++i) {
+        const auto runs = shown_runs(toolchain, reference, i, reference.outcomes[0][i], solution.program);
+        if (!runs)
             problems.add(fmt::format("show() makes no scene of '{}' (seed {})", reference.cases[i].about,
                                      reference.seed));
+        else if (runs->parted)
+            problems.add(fmt::format("the solution's ray of '{}' is not the tracer's (seed {})",
+                                     reference.cases[i].about, reference.seed));
+    }
 }
 
 /// No two variants of the reference may answer alike: then they could not be told apart.
@@ -172,7 +178,7 @@ std::vector<std::string> problems_of(const Toolchain& toolchain, const Exercise&
             check_solution(toolchain, reference, solution, CaseRunner::Trust::none, problems);
             if (seed == seeds.front()) {
                 check_solution(toolchain, reference, sanitized, CaseRunner::Trust::own_code, problems);
-                check_shown(toolchain, reference, problems);
+                check_shown(toolchain, reference, solution, problems);
             }
             if (trial.program.empty()) continue;
             check_stub(toolchain, reference, trial, problems);

@@ -1,6 +1,7 @@
 // The recorded ray of a wrong case: each exercise has one for each case, and where an answer can be drawn, both rays part.
 
 #include "exercises/grader/shown_case.hpp"
+#include "exercises/grader/units.hpp"
 #include "tests/exercises/grading.hpp"
 
 #include <gmock/gmock.h>
@@ -11,15 +12,29 @@ namespace {
 using namespace exercises;
 using exercises::Reference; // not rayscope's own
 
+/// What a student's file would become.
+std::filesystem::path program_of(const Exercise& exercise, const std::filesystem::path& file) {
+    return toolchain().kept(answer_unit(exercise, read_code(file))).program;
+}
+
+/// The runs of a case by the solution, or by no function of the tracer's at all.
+std::optional<ShownRuns> shown_right(const Reference& reference, std::size_t index,
+                                     const std::filesystem::path& program = {}) {
+    return shown_runs(toolchain(), reference, index, reference.outcomes[0][index], program);
+}
+
 class ShownRay : public InSandbox, public testing::WithParamInterface<std::string> {};
 
 TEST_P(ShownRay, is_there_for_each_case) {
-    const Reference reference = make_reference(toolchain(), find_exercise(catalogue(), GetParam()), 1);
+    const Exercise& exercise = find_exercise(catalogue(), GetParam());
+    const Reference reference = make_reference(toolchain(), exercise, 1);
+    const auto solution = program_of(exercise, exercise.solution());
     for (std::size_t i = 0; i < reference.cases.size(); ++i) {
-        const auto runs = shown_runs(toolchain(), reference, i, reference.outcomes[0][i], reference.program);
+        const auto runs = shown_right(reference, i, solution);
         ASSERT_TRUE(runs) << reference.cases[i].about;
         EXPECT_TRUE(runs->shown.yours.empty()) << "the right answer is no other scene";
-        EXPECT_FALSE(runs->parted);
+        EXPECT_EQ(runs->yours.has_value(), !exercise.formula.empty()) << reference.cases[i].about;
+        EXPECT_FALSE(runs->parted) << reference.cases[i].about;
     }
 }
 INSTANTIATE_TEST_SUITE_P(Quick, ShownRay, testing::ValuesIn(ids()),
@@ -35,7 +50,8 @@ std::optional<ShownRuns> told(const std::string& exercise, const std::string& mi
         const Outcome& answer = reference.outcomes[variant][i];
         const bool hidden = reference.exercise->groups[reference.cases[i].group].hidden;
         if (!hidden && !same(answer, reference.outcomes[0][i], reference.exercise->tolerance))
-            return shown_runs(toolchain(), reference, i, answer, reference.program);
+            return shown_runs(toolchain(), reference, i, answer,
+                              program_of(*reference.exercise, list[variant - 1].file));
     }
     return std::nullopt;
 }
@@ -62,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Quick, WrongAnswer,
 TEST_F(InSandbox, a_path_of_mirrors_has_the_colour_that_is_asked_for) {
     const Reference reference = make_reference(toolchain(), find_exercise(catalogue(), "3-02"), 1);
     for (std::size_t i = 0; i < reference.cases.size(); ++i) {
-        const auto runs = shown_runs(toolchain(), reference, i, reference.outcomes[0][i], reference.program);
+        const auto runs = shown_right(reference, i);
         const auto& fields = std::get<Record>(reference.outcomes[0][i].value.content).fields;
         for (int axis = 0; axis < 3; ++axis)
             EXPECT_NEAR(runs->right.colour[axis], std::get<double>(fields[std::size_t(axis)].value.content),
@@ -76,7 +92,7 @@ TEST_F(InSandbox, facing_mirrors_send_as_many_rays_as_are_asked_for) {
     for (std::size_t i = 0; i < reference.cases.size(); ++i) {
         const auto right = std::get<std::int64_t>(reference.outcomes[0][i].value.content);
         if (right > 256) continue; // more than a scene may ask for
-        const auto runs = shown_runs(toolchain(), reference, i, reference.outcomes[0][i], reference.program);
+        const auto runs = shown_right(reference, i);
         EXPECT_EQ(std::int64_t(runs->right.rays.size()) - 1, right) << reference.cases[i].about;
     }
 }
@@ -84,7 +100,7 @@ TEST_F(InSandbox, facing_mirrors_send_as_many_rays_as_are_asked_for) {
 TEST_F(InSandbox, layers_have_the_speeds_that_are_asked_for) {
     const Reference reference = make_reference(toolchain(), find_exercise(catalogue(), "4-04"), 1);
     for (std::size_t i = 0; i < reference.cases.size(); ++i) {
-        const auto runs = shown_runs(toolchain(), reference, i, reference.outcomes[0][i], reference.program);
+        const auto runs = shown_right(reference, i);
         const auto& right = std::get<List>(reference.outcomes[0][i].value.content);
         std::size_t crossing = 0;
         for (const TracedRay& ray : runs->right.rays) {
@@ -104,7 +120,7 @@ TEST_F(InSandbox, no_text_of_an_answer_gets_into_a_scene) {
     Outcome evil;
     evil.kind = OutcomeKind::answered;
     evil.value = {std::string("A\"\n[generics.x]\nshape = \"mesh\"\nfile = \"/etc/passwd\"\n#")};
-    const auto runs = shown_runs(toolchain(), reference, 0, evil, reference.program);
+    const auto runs = shown_runs(toolchain(), reference, 0, evil, {});
     ASSERT_TRUE(runs);
     EXPECT_TRUE(runs->shown.yours.empty());
 }
