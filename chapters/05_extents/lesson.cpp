@@ -49,16 +49,16 @@ void how_well_it_fits() {
                Torus<double>{}.intervals(beside).count == 1 ? "hit" : "missed");
 }
 
-void by_stage() {
-    const Workbench crowd = open(scenes + "/05_extents/crowd.toml");
-    fmt::print("crowd, 160 × 120 pixels, by stage\n");
+void by_stage(const char* name, std::initializer_list<const char*> stages) {
+    const Workbench bench = open(fmt::format("{}/05_extents/{}.toml", scenes, name));
+    fmt::print("{}, 160 × 120 pixels, by stage\n", name);
     fmt::print("  stage        rays  generics tested  boxes tested  nodes and cells  all per ray\n");
-    for (const char* stage : {"scan", "extents", "projective", "light", "octree"}) {
+    for (const char* stage : stages) {
         RenderOptions options;
         options.width = 160;
         options.height = 120;
         options.stage = stage_choice(stage);
-        const Counters done = render(crowd, options).statistics.counters;
+        const Counters done = render(bench, options).statistics.counters;
         std::uint64_t rays = 0, generics = 0;
         for (const std::uint64_t count : done.rays) rays += count;
         for (const std::uint64_t count : done.tests) generics += count;
@@ -104,7 +104,8 @@ void near_plane_trap() {
 int main() {
     does_it_pay();
     how_well_it_fits();
-    by_stage();
+    by_stage("crowd", {"scan", "extents", "projective", "light", "octree"});
+    by_stage("abacus", {"scan", "extents"});
     rectangles();
     near_plane_trap();
 }

@@ -15,12 +15,6 @@ float outward(double x, bool up) {
     return std::nextafter(rounded, up ? infinity<float> : -infinity<float>);
 }
 
-// Half of a box's surface; 0 for an empty one.
-float area(const Box<float>& box) {
-    const Vec3<float> d = box.high - box.low;
-    return d.x < 0 ? 0 : d.x * d.y + d.y * d.z + d.z * d.x;
-}
-
 float centre(const Box<float>& box, int axis) { return (box.low[axis] + box.high[axis]) / 2; }
 
 } // namespace
@@ -76,14 +70,14 @@ auto BoxTreeBuilder::best_cut(const Part& whole) const -> Cut {
         for (std::size_t i = bins; i-- > 1;) {
             box = united(box, boxes[i]);
             count += counts[i];
-            after[i] = area(box) * float(count);
+            after[i] = half_area(box) * float(count);
         }
         box = {};
         count = 0;
         for (std::size_t i = 1; i < bins; ++i) {
             box = united(box, boxes[i - 1]);
             count += counts[i - 1];
-            const float cost = area(box) * float(count) + after[i];
+            const float cost = half_area(box) * float(count) + after[i];
             if (count > 0 && count < whole.size() && cost < best.cost)
                 best = {axis, low + float(i) / per_bin, cost};
         }
@@ -115,7 +109,7 @@ std::uint32_t BoxTreeBuilder::make(const Part& whole, int depth) {
     std::size_t count = 1;
     while (count < 8) {
         const auto weight = [&](const Part& p) {
-            return p.size() > capacity_ ? area(p.box) * float(p.size()) : -1.0F;
+            return p.size() > capacity_ ? half_area(p.box) * float(p.size()) : -1.0F;
         };
         auto* const largest =
             std::max_element(parts.begin(), parts.begin() + std::ptrdiff_t(count),

@@ -1,11 +1,11 @@
 #pragma once
 // Objects in boxes, boxes in boxes.
 
+#include "core/boxes/slab_ray.hpp"
 #include "core/boxes/walk8.hpp"
 #include "core/stage/bins.hpp"
 #include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
-#include "core/stage/slab_ray.hpp"
 
 namespace rayscope {
 

@@ -1,10 +1,10 @@
 #pragma once
 // The second stage: the generic's box is tested first, in the generic's own space.
 
+#include "core/boxes/slab_ray.hpp"
 #include "core/stage/apart.hpp"
 #include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
-#include "core/stage/slab_ray.hpp"
 
 namespace rayscope {
 

@@ -12,6 +12,7 @@ public:
 
     explicit Scan(const World<N>& world);
 
+    [[nodiscard]] static constexpr bool tests_parts(const RayUse& /*use*/) { return false; }
     template <typename Search> [[gnu::noinline]] void look(const RayUse&, Search& search) const;
 
 private:

@@ -32,7 +32,7 @@ template <Scalar T> [[nodiscard]] std::optional<std::pair<T, T>> textbook_quadra
 
 /// Where one root of A t² + 2 B t + C is small beside the distance of the two, as for a ray that starts near a surface,
 /// middle ± half has cancelled in it. It follows without cancellation from the other one: their product is C / A.
-template <Scalar T> void mend_small_root(T& first, T& second, T half, T A, T C) {
+template <Scalar T> inline void mend_small_root(T& first, T& second, T half, T A, T C) {
     if (magnitude(first) < half / T(2))
         first = C / (A * second);
     else if (magnitude(second) < half / T(2))

@@ -44,8 +44,15 @@ template <Scalar T> [[nodiscard]] inline Vec3<T> maximum_of(const Vec3<T>& a, co
     return {maximum(a.x, b.x), maximum(a.y, b.y), maximum(a.z, b.z)};
 }
 
-/// |v|. Scaled by the largest component, so that neither 10⁻³⁰⁰ nor 10³⁰⁰ under- or overflows.
+/// True where a sum of squares has lost nothing to the ends of the number range.
+template <Scalar T> [[nodiscard]] inline bool is_safe_square(T square) {
+    constexpr T least = limits::least_safe_square<T>;
+    return square > least && square < T(1) / least;
+}
+
+/// |v|. Where its square would under- or overflow, scaled by the largest component.
 template <Scalar T> [[nodiscard]] inline T length(const Vec3<T>& v) {
+    if (const T square = dot(v, v); is_safe_square(square)) return sqrt(square);
     const T scale = largest_component(absolute(v));
     if (!(scale > T(0)) || !(scale < infinity<T>)) return scale;
     const Vec3<T> w = v / scale;
@@ -61,8 +68,7 @@ template <Scalar To, Scalar From> [[nodiscard]] inline Vec3<To> as(const Vec3<Fr
 template <Scalar T> [[nodiscard]] inline Vec3<T> normalized(const Vec3<T>& v) {
     const T square = dot(v, v);
     if (magnitude(square - T(1)) <= T(4) * epsilon<T>) return v;
-    constexpr T least = limits::least_safe_square<T>;
-    if (square > least && square < T(1) / least) return v / sqrt(square);
+    if (is_safe_square(square)) return v / sqrt(square);
     const T scale = largest_component(absolute(v));
     if (!(scale > T(0))) return v;
     const Vec3<T> w = v / scale;

@@ -1,8 +1,8 @@
 #pragma once
 // A cell that is cut into eight, and how a ray goes through the parts.
 
+#include "core/boxes/slab_ray.hpp"
 #include "core/octree/limits.hpp"
-#include "core/stage/slab_ray.hpp"
 
 #include <array>
 #include <bit>

@@ -22,12 +22,6 @@ constexpr double above_rounding = 1024;
 // … and so does a cell with an edge of this share of the smallest object.
 constexpr double of_smallest = 0.125;
 
-// Half of a box's surface.
-double area(const Box<double>& box) {
-    const Vec3d d = box.high - box.low;
-    return d.x * d.y + d.y * d.z + d.z * d.x;
-}
-
 } // namespace
 
 template <Numbers N> void OctreeBuilder<N>::build() {
@@ -112,8 +106,8 @@ template <Numbers N> bool OctreeBuilder<N>::pays(const Open& open) const {
     double whole = leaf_cost, divided = 0;
     for (const std::uint32_t id : objects_of(open)) whole += parts_.cost_of(id);
     for (const auto& part : parts_.parts())
-        if (!part.objects.empty()) divided += (leaf_cost + part.cost) * area(part.extent);
-    return node_cost + divided / area(open.extent) < whole;
+        if (!part.objects.empty()) divided += (leaf_cost + part.cost) * half_area(part.extent);
+    return node_cost + divided / half_area(open.extent) < whole;
 }
 
 template <Numbers N> void OctreeBuilder<N>::settle(const Open& open) {

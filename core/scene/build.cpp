@@ -1,8 +1,10 @@
 #include "core/scene/build.hpp"
 
+#include "core/boxes/slab_ray.hpp"
 #include "core/math/substituted.hpp"
 #include "core/scene/expand.hpp"
 
+#include <array>
 #include <functional>
 
 namespace rayscope {
@@ -66,6 +68,9 @@ template <Numbers N> Solid<N> solid_of(const Placed& placed) {
     }
     return solid;
 }
+
+// What a line's test of a generic costs, by its index, in tests of a box: bench/accuracy_cost.cpp has the times.
+constexpr std::array<double, generic_kinds> test_costs{2, 1, 4, 5, 3, 20, 6, 4, 5, 20};
 
 // Builds what all numbers share, and hands out the solids one by one.
 class Builder {
@@ -156,14 +161,22 @@ private:
         of_object_ = material;
         Compound result;
         std::vector<Box<double>> boxes;
+        std::vector<NodeExtent> extents;
         const std::vector<ExpandedNode> tree = expand(scene_, index, max_nodes - nodes_);
         nodes_ += tree.size();
         for (const ExpandedNode& node : tree) {
             result.nodes.push_back({node.operation, node.left, node.right, solids_});
             boxes.push_back(node.operation == Operation::leaf ? add_leaf(compound, node, material)
                                                               : box_of(node, boxes));
+            extents.push_back(node.operation == Operation::leaf ? extent_of(node, boxes.back())
+                                                                : NodeExtent{boxes.back()});
         }
-        result.program = compile(result.nodes);
+        CompiledProgram compiled = compile(result.nodes, extents, boxes.back());
+        result.program = std::move(compiled.program);
+        result.extents = std::move(compiled.extents);
+        for (const PartExtent& part : result.extents)
+            result.size = maximum(
+                result.size, largest_component(maximum_of(absolute(part.box.low), absolute(part.box.high))));
         world_.objects.push_back(
             {true, std::uint32_t(world_.compounds.size()), material, compound.priority, true, boxes.back()});
         world_.compounds.push_back(std::move(result));
@@ -178,6 +191,13 @@ private:
                                  generic.name + "' multiply to one that can't be inverted");
         if (leaf.material) material = std::uint32_t(*leaf.material);
         return add_solid(generic, leaf.matrix, material);
+    }
+
+    // What a matrix distorts too much has no box that could be relied on.
+    NodeExtent extent_of(const ExpandedNode& leaf, const Box<double>& box) const {
+        const bool distorted = Transform<double>(leaf.matrix).distortion() > most_distorted<double>;
+        return {distorted ? Box<double>::everything() : box,
+                test_costs[scene_.generics[leaf.generic].shape.index()]};
     }
 
     static Box<double> box_of(const ExpandedNode& node, const std::vector<Box<double>>& boxes) {

@@ -1,6 +1,7 @@
 #pragma once
 // Which objects a stage with boxes can't keep in one.
 
+#include "core/boxes/slab_ray.hpp"
 #include "core/world/world.hpp"
 
 namespace rayscope {
@@ -16,9 +17,6 @@ template <Numbers N, Scalar T = ScalarOf<N>>
         if (node.operation == Operation::leaf) most = maximum(most, of(node.solid));
     return most;
 }
-
-/// Transform::distortion() that boxes still make room for.
-template <Scalar T> inline constexpr T most_distorted = T(1024);
 
 /// True for what has no end, or ends so far away that products of its coordinates overflow, and for what a matrix
 /// distorts so much that one box margin for it would blow up the boxes of all others.

@@ -159,7 +159,8 @@ private:
 };
 
 /// A stage is a type with look(use, search): it calls search.test(object) for every object that may change the answer,
-/// until that returns true, and may leave out all that lie beyond search.reach(). From it follow the two questions that
+/// until that returns true, and may leave out all that lie beyond search.reach(); tests_parts(use) is whether it has the
+/// extents of a compound's parts tested. From it follow the two questions that
 /// a tracer asks, and that every stage answers alike, bit for bit.
 template <Numbers N, typename Stage> class StageBase {
 public:
@@ -168,16 +169,20 @@ public:
     template <typename Recorder>
     [[nodiscard]] Nearest<T> closest(const RayUse& use, const Ray<T>& ray, const Range<T>& range,
                                      const Leaving<T>& leaving, Work<T>& work, Recorder& recorder) const {
+        const auto& stage = static_cast<const Stage&>(*this);
+        work.tests_parts = stage.tests_parts(use);
         NearestSearch<N, Recorder> search(world_, ray, range, leaving, work, recorder);
-        static_cast<const Stage&>(*this).look(use, search);
+        stage.look(use, search);
         return search.result();
     }
 
     template <typename Recorder>
     [[nodiscard]] bool blocked(const RayUse& use, const Ray<T>& ray, const Range<T>& range,
                                const Leaving<T>& leaving, Work<T>& work, Recorder& recorder) const {
+        const auto& stage = static_cast<const Stage&>(*this);
+        work.tests_parts = stage.tests_parts(use);
         BlockerSearch<N, Recorder> search(world_, ray, range, leaving, work, recorder);
-        if (!search.done()) static_cast<const Stage&>(*this).look(use, search);
+        if (!search.done()) stage.look(use, search);
         return search.result();
     }
 
@@ -192,6 +197,8 @@ public:
                                Work<T>& work, Recorder& recorder) const {
         return blocked(RayUse{RayKind::shadow}, ray, range, leaving, work, recorder);
     }
+
+    [[nodiscard]] static constexpr bool tests_parts(const RayUse& /*use*/) { return true; }
 
 protected:
     explicit StageBase(const World<N>& world) : world_(world) {}

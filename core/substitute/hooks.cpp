@@ -98,10 +98,11 @@ CrossingList compound(const World<Substituted>& world, const Program& program, c
                       const LeavingSurface<double>* leaving, Work<double>& work) {
     std::vector<CrossingList> stack;
     for (const Instruction& step : program) {
-        if (step.kind == Instruction::Kind::guard) continue; // it only saves work
+        if (step.kind == Instruction::Kind::guard || step.kind == Instruction::Kind::extent)
+            continue; // they only save work
         if (step.kind == Instruction::Kind::leaf) {
             stack.push_back(leaf(world, step.operand, ray, leaving, work));
-            work.of_operands.insert(work.of_operands.end(), stack.back().begin(), stack.back().end());
+            note_ends(work); // which leaf() has left on the scratch
         } else {
             const bool complement = step.kind == Instruction::Kind::complement;
             combine_top(world, ray, complement ? Operation::complement : step.operation, stack);

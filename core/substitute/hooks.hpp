@@ -44,6 +44,9 @@ template <>
 }
 
 template <> Vec3<double> Solid<Substituted>::normal(const Ray<double>& ray, double t, int face) const;
+template <> inline auto Solid<Substituted>::place(const Ray<double>& ray, double t, int face) const -> Place {
+    return {normal(ray, t, face), error_bound(ray, t, face)};
+}
 template <> Intervals<double> Sphere<Substituted>::intervals(const Ray<double>& ray, int leaving) const;
 template <>
 std::span<const Crossing<double>>

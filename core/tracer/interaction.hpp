@@ -81,32 +81,34 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 }
 
 /// Which surfaces the rays that go on from a hit start on. (The schoolbook's start on none, but at secondary_start.)
+/// @param bound, beside see LeavingSurface
 template <Numbers N, Scalar T = ScalarOf<N>>
 void leave_from(Interaction<N>& at, const World<N>& world, const Leaving<T>& before,
-                const std::vector<Hit<T>>& coincident, T distance) {
-    at.back.add({at.hit.object, at.hit.surface, !at.hit.entering, false, distance});
-    at.through.add({at.hit.object, at.hit.surface, at.hit.entering, false, distance});
+                const std::vector<Hit<T>>& coincident, T bound, T beside) {
+    const auto side = [&](const auto& hit, bool inside, bool crosses) {
+        return LeavingSurface<T>{hit.object, hit.surface, inside, crosses, bound, beside};
+    };
+    at.back.add(side(at.hit, !at.hit.entering, false));
+    at.through.add(side(at.hit, at.hit.entering, false));
     for (const Hit<T>& other : coincident) {
         if (other.object == at.hit.object) continue;
-        at.back.add({other.object, other.surface, !other.entering, false, distance});
+        at.back.add(side(other, !other.entering, false));
         // Light goes through coincident boundaries of media at once; what is opaque it meets there.
         const bool opaque = !world.material_of(other.object).transmits();
-        at.through.add(
-            {other.object, other.surface, opaque ? !other.entering : other.entering, opaque, distance});
+        at.through.add(side(other, opaque != other.entering, opaque));
     }
     // A hit at the very start, in the gap without width between two objects: the way back leads through the first one.
     if (at.hit.t > T(0)) return;
     for (const LeavingSurface<T>& surface : before)
-        if (!surface.crosses)
-            at.back.add({surface.object, surface.surface, surface.starts_inside, true, distance});
+        if (!surface.crosses) at.back.add(side(surface, surface.starts_inside, true));
 }
 
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] Interaction<N> interact(const World<N>& world, const Ray<T>& ray, const Nearest<T>& nearest,
                                       const Leaving<T>& leaving, Id medium, Work<T>& work) {
-    Interaction<N> at{};
+    Interaction<N> at; // its lists are long, and hold nothing yet: not worth clearing
     at.hit = first_in_file(world, ray, nearest, work.coincident);
-    at.hit.surface = owner(world, ray, at.hit, leaving.of(at.hit.object), work);
+    if (at.hit.crowded) at.hit.surface = owner(world, ray, at.hit, leaving.of(at.hit.object), work);
     at.point = ray.at(at.hit.t);
     at.incoming = normalized(ray.direction);
 
@@ -114,7 +116,9 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     const Solid<N>& solid = world.solids[at.hit.surface.solid];
     at.material = &world.material_of(object);
     at.wall = &world.materials[solid.material];
-    at.normal = solid.normal(ray, at.hit.t, at.hit.surface.face);
+    const auto place = solid.place(ray, at.hit.t, at.hit.surface.face);
+    at.error_bound = place.error_bound;
+    at.normal = place.normal;
     if (at.hit.surface.flipped) at.normal = -at.normal;
     const bool against = object.has_volume ? at.hit.entering : dot(at.normal, at.incoming) < T(0);
     at.facing = at.flat = against ? at.normal : -at.normal;
@@ -125,14 +129,16 @@ template <Numbers N, Scalar T = ScalarOf<N>>
             at.normal = against ? at.facing : -at.facing;
         }
     }
-    at.error_bound = solid.error_bound(ray, at.hit.t, at.hit.surface.face);
     at.leaves_transmitting_solid = object.has_volume && !at.hit.entering && at.material->transmits();
 
     if constexpr (!is_textbook<N>) {
         // Along the normal the bound stays small where a graze makes that of t large; the point itself is rounded, too.
-        const T distance = at.error_bound * magnitude(dot(at.flat, ray.direction)) +
-                           epsilon<T> * dot(absolute(at.flat), absolute(at.point));
-        leave_from(at, world, leaving, work.coincident, distance);
+        const T rounding = epsilon<T> * dot(absolute(at.flat), absolute(at.point));
+        const T bound = fma(at.error_bound, magnitude(dot(at.flat, ray.direction)), rounding);
+        // In any direction; what coincides may add as much.
+        const T beside = T(4) * fma(at.error_bound, largest_component(absolute(ray.direction)),
+                                    epsilon<T> * largest_component(absolute(at.point)));
+        leave_from(at, world, leaving, work.coincident, bound, beside);
     }
     at.media = {medium, medium};
     if (at.material->transmits()) {

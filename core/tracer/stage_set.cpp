@@ -1,5 +1,6 @@
 #include "core/tracer/stage_set.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include <fmt/format.h>
@@ -40,15 +41,17 @@ void StageSet::build(StageKind kind, const std::optional<Screen>& screen) {
 
 BestChoice best_choice(const World<double>& world) {
     const std::size_t count = world.objects.size();
-    if (count <= few)
+    const bool parts_apart = std::ranges::any_of(
+        world.compounds, [](const Compound& compound) { return !compound.extents.empty(); });
+    if (count <= few && !parts_apart)
         return {rungs.front().choice,
                 fmt::format("{} objects: to test all of them is quicker than to look for those that matter",
                             count)};
     return {{StageKind::projective, StageKind::light, StageKind::bvh},
             fmt::format(
-                "{} objects: the screen and each light list what they see in every direction; mirrored and "
+                "{} objects{}: the screen and each light list what they see in every direction; mirrored and "
                 "refracted rays walk through boxes",
-                count)};
+                count, count <= few ? ", with boxes around parts of a compound" : "")};
 }
 
 } // namespace rayscope

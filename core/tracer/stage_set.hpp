@@ -25,6 +25,7 @@ class StageSet : public StageBase<double, StageSet> {
 public:
     StageSet(const World<double>& world, const StageChoice& choice, const std::optional<Screen>& screen);
 
+    [[nodiscard]] bool tests_parts(const RayUse& use) const { return kind_for(use) != StageKind::scan; }
     template <typename Search> void look(const RayUse& use, Search& search) const {
         if constexpr (Search::recording) {
             const std::size_t objects = world_.objects.size();

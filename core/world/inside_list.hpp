@@ -1,6 +1,7 @@
 #pragma once
 // The crossings of one object of the world with one ray.
 
+#include "core/boxes/slab_ray.hpp"
 #include "core/csg/clusters.hpp"
 #include "core/world/work.hpp"
 #include "core/world/world.hpp"
@@ -15,8 +16,18 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     for (const MeshCrossing<T>& c : work.of_mesh) work.scratch.append(solid.crossing_of(c, index));
 }
 
-/// Appends a solid's inside list to the open top list.
+/// Calls append with each end of a solid's intervals, ascending.
 /// A surface without volume is a single crossing: it is met, never inside.
+template <Scalar T, typename Append>
+void each_crossing(const Intervals<T>& intervals, std::uint32_t solid, const Append& append) {
+    for (const Interval<T>& inside : intervals) {
+        append(Crossing<T>{inside.enter, {solid, std::int32_t(inside.enter_face), false}, true});
+        if (inside.enter < inside.exit)
+            append(Crossing<T>{inside.exit, {solid, std::int32_t(inside.exit_face), false}, false});
+    }
+}
+
+/// Appends a solid's inside list to the open top list.
 template <Numbers N, Scalar T = ScalarOf<N>>
 void append_crossings(const World<N>& world, std::uint32_t solid, const Ray<T>& ray,
                       const LeavingSurface<T>* leaving, Work<T>& work) {
@@ -24,11 +35,7 @@ void append_crossings(const World<N>& world, std::uint32_t solid, const Ray<T>& 
     ++work.counters.tests[s.shape.index()];
     const int start = leaving != nullptr ? leaving->face_of(solid) : no_face;
     if (std::holds_alternative<Mesh<N>>(s.shape)) return append_mesh_crossings(s, solid, ray, start, work);
-    for (const Interval<T>& inside : s.intervals(ray, start)) {
-        work.scratch.append({inside.enter, {solid, std::int32_t(inside.enter_face), false}, true});
-        if (inside.enter < inside.exit)
-            work.scratch.append({inside.exit, {solid, std::int32_t(inside.exit_face), false}, false});
-    }
+    each_crossing(s.intervals(ray, start), solid, [&](const Crossing<T>& c) { work.scratch.append(c); });
 }
 
 template <Numbers N, Scalar T = ScalarOf<N>>
@@ -37,23 +44,33 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     return world.solids[crossing.surface.solid].error_bound(ray, crossing.t, crossing.surface.face, off);
 }
 
-/// Whether two crossings are so close that it pays to ask for their error bounds. Where rounding moves the surface of a
+/// How near another crossing must be for it to pay to ask for both error bounds. Where rounding moves the surface of a
 /// solid of size r, seen over a distance s, by some ε (r + s), it moves a graze by some √ε (r + s), and nothing by more;
 /// this is 256 times as much, room for matrices that distort.
-template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] bool near(const World<N>& world, const Ray<T>& ray, const Crossing<T>& a,
-                        const Crossing<T>& b) {
-    constexpr T relative = limits::power_of_half<T>(limits::digits<T> / 2 - 8);
-    const T reach = world.solids[a.surface.solid].reach + world.solids[b.surface.solid].reach;
-    return magnitude(b.t - a.t) <=
-           relative * (magnitude(a.t) + largest_component(absolute(ray.origin)) + reach);
-}
+template <Numbers N, Scalar T = ScalarOf<N>> class Nearness {
+public:
+    Nearness(const World<N>& world, const Ray<T>& ray, const Crossing<T>& crossing)
+        : solids_(world.solids),
+          t_(crossing.t),
+          reach_(magnitude(crossing.t) + largest_component(absolute(ray.origin)) +
+                 solids_[crossing.surface.solid].reach) {}
+
+    /// @param solid the one that is crossed at t
+    [[nodiscard]] bool holds(T t, std::uint32_t solid) const {
+        constexpr T relative = limits::power_of_half<T>(limits::digits<T> / 2 - 8);
+        return magnitude(t - t_) <= relative * (reach_ + solids_[solid].reach);
+    }
+
+private:
+    const std::vector<Solid<N>>& solids_;
+    T t_, reach_;
+};
 
 /// Whether rounding may be all that parts two crossings: they lie within the sum of their error bounds.
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] bool coincide(const World<N>& world, const Ray<T>& ray, const Crossing<T>& a,
                             const Crossing<T>& b) {
-    return near(world, ray, a, b) &&
+    return Nearness<N>(world, ray, a).holds(b.t, b.surface.solid) &&
            magnitude(b.t - a.t) <= error_bound(world, ray, a) + error_bound(world, ray, b);
 }
 
@@ -70,6 +87,40 @@ void settle(const World<N>& world, const Ray<T>& ray, SpanStack<T>& scratch, con
         list, [&](const auto& a, const auto& b) { return coincide(world, ray, a, b); }, merged));
 }
 
+/// Which parts of a compound a ray's whole line misses: counted, and only asked where the stage wants it.
+template <Scalar T> class MissedParts {
+public:
+    /// @param leaving the ray's start on this compound, or nullptr: there it is in a part's box, if only by rounding
+    MissedParts(const Compound& compound, const Ray<T>& ray, const LeavingSurface<T>* leaving, Work<T>& work)
+        : compound_(compound), ray_(ray), leaving_(leaving), work_(work) {}
+
+    [[nodiscard]] bool operator()(std::uint32_t extent) { return work_.tests_parts && misses(extent); }
+
+private:
+    [[gnu::noinline]] bool misses(std::uint32_t extent) {
+        if (!slabs_)
+            slabs_.emplace(ray_, T(compound_.size), most_distorted<T>,
+                           leaving_ != nullptr ? leaving_->beside : T(0));
+        ++work_.counters.boxes;
+        if (!slabs_->reliable() || slabs_->line_may_pass(as<T>(compound_.extents[extent].box))) return false;
+        ++work_.counters.boxes_missed;
+        return true;
+    }
+
+    const Compound& compound_;
+    const Ray<T>& ray_;
+    const LeavingSurface<T>* leaving_;
+    Work<T>& work_;
+    std::optional<SlabRay<T>> slabs_;
+};
+
+/// Notes the crossings of the list on top of the scratch, which is an operand's.
+template <Scalar T> void note_ends(Work<T>& work) {
+    const Crossing<T>* const first = work.scratch.top_begin();
+    for (std::size_t i = 0; i < work.scratch.top_size(); ++i)
+        work.of_operands.push_back({first[i].t, first[i].surface.solid});
+}
+
 /// The object's crossings with the ray's whole line, ascending; valid until the scratch is used again.
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] std::span<const Crossing<T>> crossings(const World<N>& world, std::uint32_t object,
@@ -80,13 +131,15 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     if (o.is_compound) {
         ++work.counters.compounds;
         work.of_operands.clear();
-        run(std::span<const Instruction>(world.compounds[o.index].program), work.scratch,
+        const Compound& compound = world.compounds[o.index];
+        MissedParts<T> misses(compound, ray, leaving, work);
+        run(
+            std::span<const Instruction>(compound.program), work.scratch,
             [&](std::uint32_t solid) {
                 append_crossings(world, solid, ray, leaving, work);
-                if constexpr (!is_textbook<N>)
-                    work.of_operands.insert(work.of_operands.end(), work.scratch.top_begin(),
-                                            work.scratch.top_begin() + work.scratch.top_size());
-            });
+                if constexpr (!is_textbook<N>) note_ends(work);
+            },
+            std::span<const PartExtent>(compound.extents), misses);
         settle(world, ray, work.scratch, unrecorded);
     } else {
         work.scratch.clear();
@@ -96,7 +149,7 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     return {work.scratch.top_begin(), work.scratch.top_size()};
 }
 
-/// The surface that a hit belongs to. Where faces of several operands coincide, rounding decides which of them the
+/// The surface that a crowded hit belongs to. Where faces of several operands coincide, rounding decides which of them the
 /// crossing at t came from, and neighbouring pixels would name now one operand, now the other. So the crossings that
 /// can't be told from the hit are put at its t, where the sweep's rule holds: the left operand has the face.
 /// The schoolbook takes what rounding chose.
@@ -104,7 +157,6 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] Surface owner(const World<N>& world, const Ray<T>& ray, const Hit<T>& hit,
                             const LeavingSurface<T>* leaving, Work<T>& work) {
     const Object& o = world.objects[hit.object];
-    if (!hit.crowded) return hit.surface;
     const Crossing<T> own{hit.t, hit.surface, hit.entering};
     run(std::span<const Instruction>(world.compounds[o.index].program), work.scratch,
         [&](std::uint32_t solid) {
@@ -158,8 +210,9 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] bool crowded(const World<N>& world, const Ray<T>& ray, const Crossing<T>& crossing,
                            const Work<T>& work) {
     if (is_textbook<N>) return false;
-    return std::any_of(work.of_operands.begin(), work.of_operands.end(), [&](const Crossing<T>& other) {
-        return other.surface.solid != crossing.surface.solid && near(world, ray, crossing, other);
+    const Nearness<N> near(world, ray, crossing);
+    return std::any_of(work.of_operands.begin(), work.of_operands.end(), [&](const OperandEnd<T>& other) {
+        return other.solid != crossing.surface.solid && near.holds(other.t, other.solid);
     });
 }
 
@@ -182,6 +235,21 @@ first_from_mesh(const World<N>& world, std::uint32_t object, const Ray<T>& ray, 
     return Hit<T>{first->t, object, solid.crossing_of(*first, index).surface, first->entering, false};
 }
 
+/// The same where the ray starts on a plain solid that is no mesh: its few crossings need no list.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] std::optional<Crossing<T>> first_from_solid(const World<N>& world, std::uint32_t index,
+                                                          const Ray<T>& ray, const Range<T>& range,
+                                                          const LeavingSurface<T>& leaving, Work<T>& work) {
+    const Solid<N>& solid = world.solids[index];
+    ++work.counters.objects;
+    ++work.counters.tests[solid.shape.index()];
+    std::array<Crossing<T>, 4> ends;
+    std::size_t count = 0;
+    each_crossing(solid.intervals(ray, leaving.face_of(index)), index,
+                  [&](const Crossing<T>& c) { ends[count++] = c; });
+    return first_crossing(world, ray, {ends.data(), count}, range, &leaving);
+}
+
 /// The first crossing in the range of one object, whatever it is.
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] std::optional<Hit<T>> first_of_object(const World<N>& world, std::uint32_t object,
@@ -191,10 +259,14 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     const auto hit = [&](const Crossing<T>& c, bool crowded) {
         return Hit<T>{c.t, object, c.surface, c.entering, crowded};
     };
-    if (leaving != nullptr && !o.is_compound &&
-        std::holds_alternative<Mesh<N>>(world.solids[o.index].shape) && !leaving->crosses &&
-        !leaving->starts_inside)
+    const bool is_from_mesh =
+        leaving != nullptr && !o.is_compound && std::holds_alternative<Mesh<N>>(world.solids[o.index].shape);
+    if (is_from_mesh && !leaving->crosses && !leaving->starts_inside)
         return first_from_mesh(world, object, ray, range, *leaving, work);
+    if (leaving != nullptr && !o.is_compound && !is_from_mesh) {
+        const auto first = first_from_solid(world, o.index, ray, range, *leaving, work);
+        return first ? std::optional(hit(*first, false)) : std::nullopt;
+    }
     if (o.is_compound || leaving != nullptr) {
         const auto first =
             first_crossing(world, ray, crossings(world, object, ray, leaving, work), range, leaving);

@@ -52,7 +52,34 @@ template <Numbers N> struct Solid {
     /// √(2δ / h) where s → 0 (see `root_shift`).
     /// The schoolbook has no bounds: 0.
     /// @param off the surface may lie this far from where the ray sees it, along its normal: world length
-    [[nodiscard]] T error_bound(const Ray<T>& ray, T t, int face, T off = T(0)) const;
+    [[nodiscard]] T error_bound(const Ray<T>& ray, T t, int face, T off = T(0)) const {
+        if (is_textbook<N> || !is_finite(t)) return T(0);
+        const Ray<T> moved = transform.to_object(ray);
+        const Vec3<T> p = moved.at(t);
+        return std::visit(
+            [&](const auto& s) { return bound_at(s, ray, moved, t, p, s.normal(p, face), face, off); },
+            shape);
+    }
+
+    /// Both at once, of a crossing at a finite t.
+    struct Place {
+        Vec3<T> normal;
+        T error_bound;
+    };
+    [[nodiscard]] Place place(const Ray<T>& ray, T t, int face) const {
+        const Ray<T> moved = transform.to_object(ray);
+        const Vec3<T> p = moved.at(t);
+        return std::visit(
+            [&](const auto& s) -> Place {
+                const Vec3<T> n = s.normal(p, face);
+                const Vec3<T> unit = transform.normal_to_world(n);
+                if constexpr (is_textbook<N>)
+                    return {unit, T(0)};
+                else
+                    return {unit, bound_at(s, ray, moved, t, p, n, face, T(0))};
+            },
+            shape);
+    }
 
     /// Whether the ray, up to t, keeps as close to the face as it may have started beside it: a start that lies so far off
     /// meets the surface there, however small the bound of a crossing that is no longer a graze.
@@ -105,10 +132,16 @@ template <Numbers N> struct Solid {
         const Vec3<T> e = T(4) * epsilon<T> * transform.point_error(ray, t);
         return fma(dot(e, e), T(0.5), dot(absolute(normal), e));
     }
+
+private:
+    // error_bound where the object-space ray, its point p at t and the normal there are known.
+    template <typename Shape>
+    [[nodiscard]] T bound_at(const Shape& s, const Ray<T>& ray, const Ray<T>& moved, T t, const Vec3<T>& p,
+                             const Vec3<T>& n, int face, T off) const;
 };
 
 /// How far the root of s t + h t² / 2 moves at most when the function moves by ±delta.
-template <Scalar T> [[nodiscard]] T root_shift(T delta, T slope, T curvature) {
+template <Scalar T> [[nodiscard]] inline T root_shift(T delta, T slope, T curvature) {
     slope = magnitude(slope);
     if (!(curvature > T(0))) return delta / slope;
     const T half_chord = slope / curvature;
@@ -118,21 +151,16 @@ template <Scalar T> [[nodiscard]] T root_shift(T delta, T slope, T curvature) {
     return change / (half_chord + sqrt(squared - change));
 }
 
-template <Numbers N> auto Solid<N>::error_bound(const Ray<T>& ray, T t, int face, T off) const -> T {
-    if (is_textbook<N> || !is_finite(t)) return T(0);
-    const Ray<T> moved = transform.to_object(ray);
-    const Vec3<T> p = moved.at(t);
-    return std::visit(
-        [&](const auto& s) {
-            // All of it scales with the normal's length, so that it need not be 1.
-            const Vec3<T> n = s.normal(p, face);
-            T curvature = s.curvature(p, moved.direction, face);
-            if (curvature > T(0)) curvature *= sqrt(dot(n, n));
-            T delta = surface_distance(ray, t, n) + moved_off(n, off);
-            if constexpr (is_mesh<decltype(s)>) delta += s.tilt(p, face);
-            return root_shift(delta, dot(n, moved.direction), curvature);
-        },
-        shape);
+template <Numbers N>
+template <typename Shape>
+auto Solid<N>::bound_at(const Shape& s, const Ray<T>& ray, const Ray<T>& moved, T t, const Vec3<T>& p,
+                        const Vec3<T>& n, int face, T off) const -> T {
+    // All of it scales with the normal's length, so that it need not be 1.
+    T curvature = s.curvature(p, moved.direction, face);
+    if (curvature > T(0)) curvature *= sqrt(dot(n, n));
+    T delta = surface_distance(ray, t, n) + moved_off(n, off);
+    if constexpr (is_mesh<Shape>) delta += s.tilt(p, face);
+    return root_shift(delta, dot(n, moved.direction), curvature);
 }
 
 } // namespace rayscope

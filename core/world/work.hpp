@@ -33,12 +33,20 @@ template <Scalar T> struct LeavingSurface {
     bool starts_inside; ///< the side of the object on which the ray starts
     bool crosses;       ///< it leads through the surface at once: the crossing at t = 0 counts
     T bound;            ///< how far the start may lie from the surface: world length
+    T beside = T(0);    ///< how far it may lie from where the surface was met: not less, at a graze much more
 
     /// The face, if it is one of this solid's.
     [[nodiscard]] int face_of(std::uint32_t solid) const {
         return surface.solid == solid ? surface.face : no_face;
     }
 };
+
+/// Copies the first `count`. Almost always that is one: not worth the call that a loop becomes.
+template <typename Item, std::size_t size>
+void copy_few(const std::array<Item, size>& from, int count, std::array<Item, size>& to) {
+    if (count > 0) to[0] = from[0];
+    if (count > 1) std::copy_n(from.begin() + 1, count - 1, to.begin() + 1);
+}
 
 /// All of them: the one that was hit, and those of other objects that coincide with it.
 template <Scalar T> struct Leaving {
@@ -66,7 +74,7 @@ template <Scalar T> struct Leaving {
     }
 
 private:
-    void copy(const Leaving& other) { std::copy_n(other.items.begin(), count, items.begin()); }
+    void copy(const Leaving& other) { copy_few(other.items, count, items); }
 };
 
 /// The nearest hit of a ray, and the hits of other objects so close to it that rounding may have chosen between them.
@@ -77,7 +85,7 @@ public:
     explicit Nearest(const Ray<T>& ray)
         : count_(0), absolute_(largest_component(absolute(ray.origin)) * sqrt(epsilon<T>)) {}
     Nearest(const Nearest& other) : count_(other.count_), absolute_(other.absolute_) {
-        std::copy_n(other.hits_.begin(), count_, hits_.begin());
+        copy_few(other.hits_, count_, hits_);
     }
     Nearest& operator=(const Nearest&) = delete;
 
@@ -150,14 +158,21 @@ private:
     std::uint32_t ray_ = 0;
 };
 
+/// Where a ray crosses an operand of a compound.
+template <Scalar T> struct OperandEnd {
+    T t;
+    std::uint32_t solid;
+};
+
 template <Scalar T> struct Work {
     SpanStack<T> scratch;
-    std::vector<Crossing<T>> of_operands; ///< of the compound that was asked last
-    std::vector<MeshCrossing<T>> of_mesh; ///< of the mesh that was asked last
+    std::vector<OperandEnd<T>> of_operands; ///< of the compound that was asked last
+    std::vector<MeshCrossing<T>> of_mesh;   ///< of the mesh that was asked last
     std::vector<Blocker<T>> blockers;
     std::vector<Hit<T>> coincident;
     Mailbox mailbox;
     Counters counters;
+    bool tests_parts = false; ///< extents of parts of compounds are tested before what is in them
 };
 
 } // namespace rayscope

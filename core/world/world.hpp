@@ -50,6 +50,8 @@ struct Light {
 struct Compound {
     std::vector<CompoundNode> nodes; ///< the author's tree in postfix order
     Program program;                 ///< the same, regrouped
+    std::vector<PartExtent> extents; ///< around parts of it
+    double size = 0;                 ///< the largest coordinate of the extents
 };
 
 /// What a ray can hit: a solid, or a compound of solids. Its index is its id, in the order of the file.

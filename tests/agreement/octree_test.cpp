@@ -36,8 +36,8 @@ void expect_scans_answers(const World<double>& world, const Octree<double>& tree
     for (int i = 0; i < 2000; ++i) {
         Ray<double> ray{random.in_cube(3 * reach), {}};
         ray.direction = normalized(random.in_cube(reach) - ray.origin);
-        const Answers expected = answers(scan, ray, infinity<double>),
-                      found = answers(tree, ray, infinity<double>);
+        const Answers expected = answers(world, scan, ray, infinity<double>),
+                      found = answers(world, tree, ray, infinity<double>);
         ASSERT_TRUE(found == expected)
             << hex(ray) << "\n  scan: " << described(expected) << "\n  octree: " << described(found);
     }

@@ -45,6 +45,21 @@ namespace rayscope::test {
             b.compound("compound" + n, expressions[random.below(5)], material);
             continue;
         }
+        if (random.below(10) == 0) { // of many parts, most of which a ray misses
+            const Mat4d m = place();
+            std::string expression;
+            for (int part = 0, parts = 4 + random.below(20); part < parts; ++part) {
+                const std::string name = "p" + std::to_string(i) + "_" + std::to_string(part);
+                const auto& shape = solids[std::size_t(random.below(int(solids.size())))];
+                b.operand(name, shape,
+                          m * translation(random.in_cube(2)) *
+                              scaling(part == 0 ? 2 : random.uniform(0.1, 0.5)));
+                const char* const operations[] = {"|", "-", "|"};
+                expression += (part > 0 ? operations[random.below(3)] : "") + name;
+            }
+            b.compound("many" + std::to_string(i), expression, material);
+            continue;
+        }
         // Mostly what has an end: a plane in every scene would hide the rest.
         std::size_t kind = std::size_t(random.below(int(shapes.size())));
         if (std::holds_alternative<Plane<double>>(shapes[kind]) && random.below(8) != 0) kind = 0;

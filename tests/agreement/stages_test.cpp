@@ -14,9 +14,11 @@ namespace rayscope::test {
 namespace {
 
 template <typename Stage>
-void expect_scans_answers(const Scan<double>& scan, const Stage& stage, const Ray<double>& ray, double reach,
-                          const Leaving<double>& leaving, const std::string& what) {
-    const Answers expected = answers(scan, ray, reach, leaving), found = answers(stage, ray, reach, leaving);
+void expect_scans_answers(const World<double>& world, const Scan<double>& scan, const Stage& stage,
+                          const Ray<double>& ray, double reach, const Leaving<double>& leaving,
+                          const std::string& what) {
+    const Answers expected = answers(world, scan, ray, reach, leaving),
+                  found = answers(world, stage, ray, reach, leaving);
     ASSERT_TRUE(found == expected) << what << ' ' << hex(ray) << " reach " << hex(reach)
                                    << "\n  scan:  " << described(expected)
                                    << "\n  stage: " << described(found);
@@ -27,7 +29,7 @@ template <typename Stage>
 void compare(const World<double>& world, const Scan<double>& scan, const Stage& stage, const Ray<double>& ray,
              Random& random, const std::string& what) {
     const double reach = random.coin() ? infinity<double> : random.decade(-2, 2);
-    expect_scans_answers(scan, stage, ray, reach, {}, what);
+    expect_scans_answers(world, scan, stage, ray, reach, {}, what);
     if (testing::Test::HasFatalFailure()) return;
     Work<double> work;
     NullRecorder recorder;
@@ -37,7 +39,7 @@ void compare(const World<double>& world, const Scan<double>& scan, const Stage& 
     const auto at = interact(world, ray, hit, nothing, none, work);
     const Ray<double> next{at.point, random.direction()};
     const bool stays = dot(next.direction, at.facing) > 0;
-    expect_scans_answers(scan, stage, next, reach, stays ? at.back : at.through, what + " leaving");
+    expect_scans_answers(world, scan, stage, next, reach, stays ? at.back : at.through, what + " leaving");
 }
 
 // Coordinates on which a tree is likely to cut, and others that have gone wrong before.

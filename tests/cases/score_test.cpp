@@ -3,6 +3,7 @@
 
 #include "core/cases/score_report.hpp"
 #include "core/scene/input_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -19,16 +20,11 @@ constexpr std::size_t float_stable = 0, double_stable = 2, double_textbook = 3, 
 std::filesystem::path shipped() { return std::filesystem::path(RAYSCOPE_SOURCE_DIR) / "tests/oracle/cases"; }
 
 // Copies of one family's lines, changed.
-class Folder {
+class Folder : public TemporaryFolder {
 public:
-    Folder() { std::filesystem::create_directories(path); }
-    ~Folder() { std::filesystem::remove_all(path); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
     template <typename Change> CaseFile copy(const std::string& family, const Change& change) const {
         std::ifstream from(shipped() / (family + ".jsonl"));
-        std::ofstream to(path / (family + ".jsonl"));
+        std::ofstream to(path() / (family + ".jsonl"));
         std::string line;
         while (std::getline(from, line)) {
             auto json = nlohmann::json::parse(line);
@@ -36,10 +32,8 @@ public:
             to << json.dump() << '\n';
         }
         to.close();
-        return case_files(path).at(0);
+        return case_files(path()).at(0);
     }
-
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "rayscope_score_test";
 };
 
 const std::vector<FamilyScores>& shipped_scores() {

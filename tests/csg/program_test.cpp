@@ -221,6 +221,7 @@ std::string written(const Tree& tree) {
         switch (step.kind) {
         case Instruction::Kind::leaf: text += char('0' + step.operand); break;
         case Instruction::Kind::guard: text += '?'; break;
+        case Instruction::Kind::extent: ADD_FAILURE() << "nothing was told of boxes"; break;
         case Instruction::Kind::complement: text += '!'; break;
         case Instruction::Kind::combine: text += " |&-"[std::size_t(step.operation)]; break;
         }

@@ -2,6 +2,7 @@
 
 #include "core/scene/read_toml.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -144,7 +145,8 @@ TEST(Words, are_a_list_or_changes_never_both) {
 }
 
 TEST(Scene, says_by_a_complete_list_what_is_simulated) {
-    const auto path = std::filesystem::path(testing::TempDir()) / "chosen_effects.toml";
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "chosen_effects.toml";
     write_text_file(path, R"(
 [scene]
 effects = ["ambient", "diffuse", "refraction", "fresnel"]

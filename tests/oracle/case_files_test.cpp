@@ -6,6 +6,7 @@
 #include "tests/oracle/line_checks.hpp"
 #include "tests/oracle/refraction_checks.hpp"
 #include "tests/oracle/triangle_checks.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -100,7 +101,8 @@ TEST(CaseFiles, AFolderThatIsNotThereHoldsNothing) {
 }
 
 TEST(CaseFiles, ABrokenLineIsNamed) {
-    const auto path = std::filesystem::path(testing::TempDir()) / "broken.jsonl";
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "broken.jsonl";
     std::ofstream(path) << "{\"id\": 1}\n";
     try {
         (void)read_line_cases(path);
@@ -109,7 +111,6 @@ TEST(CaseFiles, ABrokenLineIsNamed) {
         EXPECT_THAT(error.what(), testing::HasSubstr("broken.jsonl:1: "));
     }
     EXPECT_THROW((void)read_line_cases(path.string() + ".missing"), std::runtime_error);
-    std::filesystem::remove(path);
 }
 
 // Tests are registered for the families of the source tree, when they are built. Others are run here.

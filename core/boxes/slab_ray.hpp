@@ -6,6 +6,9 @@
 
 namespace rayscope {
 
+/// Transform::distortion() that boxes still make room for.
+template <Scalar T> inline constexpr T most_distorted = T(1024);
+
 /// The t at which a ray is in a box.
 template <Scalar T> struct BoxSpan {
     T enter, exit;
@@ -18,9 +21,11 @@ template <Scalar T> class SlabRay {
 public:
     /// @param size the largest coordinate of any box that will be asked for
     /// @param distortion the largest Transform::distortion() of what the boxes hold
-    SlabRay(const Ray<T>& ray, T size, T distortion)
+    /// @param beside the ray's origin may lie so far beside a box that it starts in
+    SlabRay(const Ray<T>& ray, T size, T distortion, T beside = T(0))
         : origin_(ray.origin),
-          margin_(T(64) * epsilon<T> * distortion * (largest_component(absolute(ray.origin)) + size)) {
+          margin_(
+              fma(T(64) * epsilon<T> * distortion, largest_component(absolute(ray.origin)) + size, beside)) {
         for (int axis = 0; axis < 3; ++axis) inverse_[axis] = finite_inverse(ray.direction[axis]);
     }
 
@@ -42,6 +47,11 @@ public:
         }
         inside.exit += T(4) * epsilon<T> * magnitude(inside.exit);
         return inside;
+    }
+    /// Whether the ray's whole line may pass through the box.
+    [[nodiscard]] bool line_may_pass(const Box<T>& box) const {
+        const BoxSpan<T> inside = span(box);
+        return inside.enter <= inside.exit;
     }
     /// Whether a hit in the box may have 0 ≤ t ≤ limit.
     [[nodiscard]] bool may_hit(const Box<T>& box, T limit = infinity<T>) const {
