@@ -97,6 +97,25 @@ TEST_F(Window, a_click_anywhere_selects_everywhere) {
     EXPECT_EQ(window.outcome.code, 0);
 }
 
+TEST_F(Window, says_why_a_walk_did_not_stop_and_what_was_not_followed) {
+    const Reports window =
+        run_window(screen, "glass_bowl",
+                   "wait\nkey C\nstop nonsense\nstop depth >= 99\nkey Home\nkey C\ntype delete 1\n"
+                   "weight 60\n");
+    ASSERT_EQ(window.lines.size(), 8U) << window.outcome.err;
+    const auto message = [&](std::size_t i) { return window.lines[i]["message"].get<std::string>(); };
+    EXPECT_EQ(window.lines[0]["not_followed"], 6) << "as the terminal's tree tells";
+    EXPECT_THAT(window.lines[0]["colours"].get<std::string>(),
+                AllOf(HasSubstr("What was dropped"), HasSubstr("1 ray deeper than max_depth")));
+    EXPECT_THAT(message(1), HasSubstr("no stop yet"));
+    EXPECT_FALSE(window.lines[2]["ok"]);
+    EXPECT_THAT(message(2), HasSubstr("no field or event is called 'nonsense'"));
+    EXPECT_EQ(window.lines[3]["stops"], "1 stop");
+    EXPECT_THAT(message(5), HasSubstr("No stop was met"));
+    EXPECT_EQ(window.lines[6]["stops"], "no stops");
+    EXPECT_LT(window.lines[7]["not_followed"], 6) << "light ones are hidden like light rays";
+}
+
 TEST_F(Window, sliders_change_the_scene_and_save_keeps_the_file_as_its_author_wrote_it) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "prism.toml";

@@ -117,7 +117,8 @@ void add_ledger(Page& page, const Ledger& ledger, const std::function<std::strin
     for (const auto& [key, dropped] : ledger.dropped) {
         if (key.second == Reason::coefficient_zero) continue;
         any = true;
-        page.item(name_of(key.first), fmt::format("{} rays {}, with a weight of {} of a pixel", dropped.count,
+        page.item(name_of(key.first), fmt::format("{} {} {}, with a weight of {} of a pixel", dropped.count,
+                                                  dropped.count == 1 ? "ray" : "rays",
                                                   refusal_text(key.second), number(dropped.weight)));
     }
     if (!any) page.line("nothing: every ray with a weight was followed", 2);

@@ -25,4 +25,8 @@ std::string Numbers::colour(const Colour& colour) const {
 
 std::string Numbers::degrees(double radians) const { return (*this)(radians * 180 / std::numbers::pi) + "°"; }
 
+std::string counted(int count, const char* one, const char* many) {
+    return std::to_string(count) + glue + (count == 1 ? one : many);
+}
+
 } // namespace rayscope::cli

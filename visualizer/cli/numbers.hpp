@@ -25,4 +25,7 @@ private:
     int digits_;
 };
 
+/// "1 ray", "2 rays", with a no-break space.
+[[nodiscard]] std::string counted(int count, const char* one, const char* many);
+
 } // namespace rayscope::cli

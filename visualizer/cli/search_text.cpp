@@ -32,10 +32,6 @@ std::vector<Visit> visits_of(const TracedRay& ray) {
     return visits;
 }
 
-std::string counted(int count, const char* one, const char* many) {
-    return std::to_string(count) + glue + (count == 1 ? one : many);
-}
-
 std::string stretch(const PlaceEntered& place, const Numbers& number) {
     return "t" + std::string(glue) + number(place.t_in) + glue + "…" + glue + number(place.t_out);
 }

@@ -3,7 +3,6 @@
 #include "visualizer/cli/arguments.hpp"
 #include "visualizer/cli/bars_text.hpp"
 #include "visualizer/cli/event_text.hpp"
-#include "visualizer/cli/explain_text.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/ray_facts.hpp"
 #include "visualizer/cli/refraction_text.hpp"
@@ -44,13 +43,7 @@ std::string with_dashes(std::string name) {
 
 } // namespace
 
-std::string Session::energy(const std::string& /*nothing*/) {
-    Page page(style_.paint);
-    add_ledger(
-        page, ledger_of(trace().rays), [&](Id object) { return object_name(trace(), object); },
-        style_.number);
-    return page.text();
-}
+std::string Session::energy(const std::string& /*nothing*/) { return ledger_text(trace(), style_); }
 
 std::string Session::tree(const std::string& /*nothing*/) { return tree_text(trace(), style_, current()); }
 

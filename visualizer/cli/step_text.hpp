@@ -23,6 +23,9 @@ struct StepStyle {
 /// The colour of the sample, and where each part of it came from.
 [[nodiscard]] std::string result_text(const Trace& trace, const StepStyle& style);
 
+/// That light by kind and object, and the weight of what was not followed.
+[[nodiscard]] std::string ledger_text(const Trace& trace, const StepStyle& style);
+
 // The parts of ray_text, in their order; each adds what its events say, or nothing.
 void add_start(Page& page, const Trace& trace, int ray, const StepStyle& style);
 void add_search(Page& page, const Trace& trace, int ray, const StepStyle& style);

@@ -1,5 +1,6 @@
 // Sums: one ray's, and the pixel's.
 
+#include "visualizer/cli/explain_text.hpp"
 #include "visualizer/cli/ray_facts.hpp"
 #include "visualizer/cli/step_text.hpp"
 
@@ -92,6 +93,13 @@ std::string result_text(const Trace& trace, const StepStyle& style) {
     page.item("colour", number.vector(trace.colour));
     if (trace.events_dropped > 0)
         page.line("The record was full, so the sum lacks the rays that are missing.", 2);
+    return page.text();
+}
+
+std::string ledger_text(const Trace& trace, const StepStyle& style) {
+    Page page(style.paint);
+    add_ledger(
+        page, ledger_of(trace.rays), [&](Id object) { return object_name(trace, object); }, style.number);
     return page.text();
 }
 

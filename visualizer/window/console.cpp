@@ -1,6 +1,7 @@
 #include "visualizer/window/console.hpp"
 
 #include <QKeyEvent>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -43,6 +44,14 @@ void Console::enter(const QString& line) {
 
 void Console::add(const QString& prompt, const QString& line, const QString& answer) {
     log_.appendPlainText(prompt + line + "\n" + answer.trimmed());
+    show_end();
+}
+
+void Console::show_end() { log_.verticalScrollBar()->setValue(log_.verticalScrollBar()->maximum()); }
+
+void Console::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    show_end(); // what came while another panel was seen
 }
 
 void Console::begin(const QString& text) {

@@ -22,8 +22,11 @@ public:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
+    void show_end();
+
     QPlainTextEdit log_;
     QLineEdit line_;
     QStringList history_;

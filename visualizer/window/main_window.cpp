@@ -23,6 +23,9 @@ MainWindow::MainWindow(Desk& given, bool remember)
     make_menus();
     make_toolbar();
     make_options();
+    said_.setTextFormat(Qt::PlainText);
+    said_.setMinimumWidth(1); // a long message is cut, and makes no window wider
+    statusBar()->addWidget(&said_, 1);
     statusBar()->addPermanentWidget(&pixel_);
     link();
     link_changes();
@@ -98,11 +101,14 @@ bool MainWindow::command(const std::string& line) {
     const bool stayed = answer.count('\n') <= 1;
     if (!reply.ok || (stayed && !typing_))
         say(first, !reply.ok);
-    else if (!desk.walk().reasons().empty() &&
-             (reply.command == "continue" || reply.command == "reverse-continue"))
-        say(first);
+    else if (reply.command == "continue" || reply.command == "reverse-continue")
+        say(!desk.walk().reasons().empty() ? first
+            : desk.walk().stops().all().empty()
+                ? "There is no stop yet: B sets one"
+                : "No stop was met on the way: Ctrl+F looks for pixels with one");
     else
         say({});
+    show_stops();
     last_milliseconds_ =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return reply.ok;
@@ -125,9 +131,9 @@ bool MainWindow::complete() const {
 }
 
 void MainWindow::say(const QString& text, bool wrong) {
-    message_ = text;
-    statusBar()->setStyleSheet(wrong ? "QStatusBar { color: #a02000; font-weight: bold; }" : "");
-    statusBar()->showMessage(text);
+    // In a label of its own: what a status bar shows for a while is gone when the mouse moves over a button.
+    said_.setStyleSheet(wrong ? "color: #a02000; font-weight: bold;" : "");
+    said_.setText(text);
 }
 
 void MainWindow::open_scene(const QString& file) {

@@ -19,6 +19,7 @@
 #include <QMainWindow>
 #include <QTabWidget>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace rayscope::window {
 
@@ -55,8 +56,9 @@ public:
     void show_tab(const QString& name);
     /// Carries out what has such a shortcut; false: nothing has.
     bool press(const QString& shortcut);
-    [[nodiscard]] const QString& message() const { return message_; }
+    [[nodiscard]] QString message() const { return said_.text(); }
     [[nodiscard]] QString place() const { return place_.text(); }
+    [[nodiscard]] QString stops() const { return stops_.text(); }
     [[nodiscard]] QString pixel() const { return pixel_.text(); }
     /// The trace; while a question is open, as far as the walk has come.
     [[nodiscard]] const Trace& shown() const { return known_ ? *known_ : desk.trace(); }
@@ -86,6 +88,10 @@ private:
     void say(const QString& text, bool wrong = false);
     void ask_for_scene();
     void show_cheat_sheet();
+    void show_first_steps();
+    /// A window of its own with a page of text.
+    void show_page(const char* name, const QString& title, const QString& text);
+    void show_stops();
     bool may_leave(); ///< changes are saved, or not wanted
 
     [[nodiscard]] double least_weight() const; ///< of the rays that are shown
@@ -105,13 +111,13 @@ private:
     ImageMaker maker_;
     std::optional<Trace> known_; // while a question is open
     OctreeRun octree_run_;
-    QLabel place_, pixel_;
+    QLabel place_, pixel_, said_;
     QDoubleSpinBox speed_;
     QLineEdit stop_;
+    QToolButton stops_;
     QComboBox overlay_, stage_;
     QAction *undo_ = nullptr, *redo_ = nullptr, *play_ = nullptr;
     QTimer play_timer_, image_timer_;
-    QString message_;
     bool remember_, frame_next_ = true, typing_ = false, showing_ = false, sized_ = false;
     double last_milliseconds_ = 0;
 };

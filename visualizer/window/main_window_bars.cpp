@@ -2,6 +2,7 @@
 
 #include "visualizer/window/main_window.hpp"
 
+#include <QMenu>
 #include <QStyle>
 #include <QToolButton>
 
@@ -71,11 +72,20 @@ void MainWindow::make_options() {
         }
     });
     bar->addWidget(&stop_);
+    stops_.setObjectName("stops");
+    stops_.setPopupMode(QToolButton::InstantPopup);
+    stops_.setToolTip("The stops that are set; a click on one takes it away");
+    stops_.setFocusPolicy(Qt::ClickFocus);
+    bar->addWidget(&stops_);
+    show_stops();
     bar->addSeparator();
     bar->addWidget(new QLabel(" Image "));
     overlay_.setObjectName("overlay");
     overlay_.addItem("as it is");
-    for (const HeatName& heat : heat_names) overlay_.addItem(QString::fromUtf8(heat.name.data()));
+    for (const HeatName& heat : heat_names) {
+        overlay_.addItem(QString::fromUtf8(heat.name.data()));
+        overlay_.setItemData(overlay_.count() - 1, QString::fromUtf8(heat.meaning.data()), Qt::ToolTipRole);
+    }
     overlay_.setToolTip("The image, or what each of its pixels costs");
     overlay_.setFocusPolicy(Qt::ClickFocus);
     QObject::connect(&overlay_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
@@ -110,6 +120,20 @@ void MainWindow::make_options() {
     place_.setObjectName("place");
     place_.setTextFormat(Qt::RichText);
     bar->addWidget(&place_);
+}
+
+void MainWindow::show_stops() {
+    const auto& all = desk.walk().stops().all();
+    stops_.setEnabled(!all.empty());
+    stops_.setText(all.empty()       ? "no stops"
+                   : all.size() == 1 ? QString("1 stop")
+                                     : QString("%1 stops").arg(all.size()));
+    auto* menu = new QMenu(&stops_);
+    for (const StopPoint& point : all)
+        menu->addAction(QString("✕  %1").arg(QString::fromStdString(point.expression.text())),
+                        [this, number = point.number] { command("delete " + std::to_string(number)); });
+    if (QMenu* old = stops_.menu()) old->deleteLater(); // it may be what asked for this
+    stops_.setMenu(menu);
 }
 
 void MainWindow::play(bool on) {

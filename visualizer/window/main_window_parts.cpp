@@ -6,7 +6,6 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QScrollArea>
 #include <QStyle>
 
@@ -119,6 +118,14 @@ void MainWindow::make_menus() {
         stop_.setFocus();
         stop_.selectAll();
     });
+    add_action(walk, "Find pixels where …", "Ctrl+F",
+               "pixels whose rays meet a condition, at first that of the last stop", [this] {
+                   const auto& stops = desk.walk().stops().all();
+                   show_tab("Console");
+                   console.begin("find " + (stops.empty()
+                                                ? QString()
+                                                : QString::fromStdString(stops.back().expression.text())));
+               });
     add_action(walk, "Console", ":", "every command of the terminal", [this] {
         show_tab("Console");
         console.begin("");
@@ -167,6 +174,7 @@ void MainWindow::make_menus() {
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
     QMenu* help = menuBar()->addMenu("&Help");
+    add_action(help, "First steps", "F1", "how to find your way", [this] { show_first_steps(); });
     add_action(help, "Keys", "?", "this list", [this] { show_cheat_sheet(); });
 }
 
@@ -190,29 +198,6 @@ void MainWindow::ask_for_scene() {
         this, "Open a scene", QString::fromStdString(desk.file().parent_path().string()),
         "Scenes (*.toml *.nff *.obj *.ply);;All files (*)");
     if (!file.isEmpty()) open_scene(file);
-}
-
-void MainWindow::show_cheat_sheet() {
-    QString rows;
-    int count = 0;
-    for (const QAction* action : actions()) {
-        if (action->shortcut().isEmpty()) continue;
-        rows += QString(count % 2 == 0 ? "<tr>" : "") + "<td><b>" +
-                action->shortcut().toString().toHtmlEscaped() + "</b>&nbsp;&nbsp;</td><td>" +
-                action->data().toString().toHtmlEscaped() + "&nbsp;&nbsp;&nbsp;&nbsp;</td>" +
-                (count % 2 == 1 ? "</tr>" : "");
-        ++count;
-    }
-    auto* box = new QMessageBox(this);
-    box->setObjectName("cheat_sheet");
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setWindowTitle("Keys");
-    box->setTextFormat(Qt::RichText);
-    box->setText(
-        "<h3>Keys</h3><p>Shift with a letter goes backwards. Arrow keys in the image: the pixel beside "
-        "it.</p><table cellpadding='2'>" +
-        rows + "</table>");
-    box->open();
 }
 
 } // namespace rayscope::window

@@ -54,7 +54,9 @@ void MainWindow::trace_changed() {
     showing_ = false;
     undo_->setEnabled(desk.can_undo());
     redo_->setEnabled(desk.can_redo());
-    set_text(colours, known_ ? hidden : QString::fromStdString(cli::result_text(trace, desk.style())));
+    set_text(colours, known_ ? hidden
+                             : QString::fromStdString(cli::result_text(trace, desk.style()) + "\n" +
+                                                      cli::ledger_text(trace, desk.style())));
     show_pixel();
     moved();
 }
@@ -107,11 +109,12 @@ void MainWindow::show_pixel() {
         source.by_hand ? QString("ray given by hand") : QString("pixel (%1, %2)").arg(source.x).arg(source.y);
     const Colour& c = desk.trace().colour;
     pixel_.setText(known_ ? which + "   " + hidden
-                          : which + QString("   colour %1 %2 %3 (linear)   %4 rays, %5 events ")
+                          : which + QString("   colour %1 %2 %3 (linear)   %4, %5 events ")
                                         .arg(c.r, 0, 'g', 4)
                                         .arg(c.g, 0, 'g', 4)
                                         .arg(c.b, 0, 'g', 4)
-                                        .arg(desk.trace().rays.size())
+                                        .arg(QString::fromStdString(
+                                            cli::counted(int(desk.trace().rays.size()), "ray", "rays")))
                                         .arg(desk.walk().timeline().size()));
 }
 

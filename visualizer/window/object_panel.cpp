@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -33,6 +34,7 @@ ObjectPanel::ObjectPanel(RayView& view) : view_(view) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->addWidget(&list_, 1);
+    column->addWidget(new QLabel("The 3D view draws those that lie near the rays."));
     auto* grid = new QGridLayout;
     column->addLayout(grid);
     int at = 0;

@@ -18,6 +18,9 @@ OctreePanel::OctreePanel() {
     about_.setWordWrap(true);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
+    saved_.setObjectName("saved");
+    saved_.setTextFormat(Qt::RichText);
+    column->addWidget(&saved_);
     auto* row = new QHBoxLayout;
     row->addWidget(&level_);
     row->addWidget(&levels, 1);
@@ -36,7 +39,12 @@ void OctreePanel::show_level() {
 
 void OctreePanel::show_ray(const Trace& trace, int ray, int depth, const QString& about,
                            const QString& text) {
-    chart.show_facts(octree_facts(trace, ray), "The record of that search was full.");
+    const auto facts = octree_facts(trace, ray);
+    saved_.setText(facts ? QString("<b>With an octree %1 of %2 objects need no test for this ray.</b>")
+                               .arg(facts->saved)
+                               .arg(facts->objects)
+                         : QString());
+    chart.show_facts(facts, "The record of that search was full.");
     if (depth != depth_) { // of another octree all is shown
         depth_ = depth;
         levels.setRange(0, depth);
@@ -49,6 +57,7 @@ void OctreePanel::show_ray(const Trace& trace, int ray, int depth, const QString
 
 void OctreePanel::show_nothing(const QString& why) {
     chart.show_facts(std::nullopt, why);
+    saved_.clear();
     about_.clear();
     words.clear();
 }

@@ -28,7 +28,7 @@ public:
 private:
     void show_level();
 
-    QLabel level_, about_;
+    QLabel saved_, level_, about_;
     int depth_ = -1;
 };
 

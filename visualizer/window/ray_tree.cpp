@@ -48,6 +48,26 @@ QString text_of(const Trace& trace, int id, int column) {
     }
 }
 
+/// The scene's limit that kept a ray from being followed; nothing for other reasons, which are no news here.
+const char* limit_of(const NotSpawned& refused) {
+    switch (refused.reason) {
+    case Reason::depth: return "max_depth";
+    case Reason::weight: return "min_weight";
+    case Reason::ray_limit: return "max_rays";
+    default: return nullptr;
+    }
+}
+
+/// "no reflected ray": what its weight would have been, and the limit.
+QString text_of(const NotSpawned& refused, int column) {
+    switch (column) {
+    case name: return QString("no %1 ray").arg(drawing::kind_name(refused.kind));
+    case target: return limit_of(refused);
+    case share: return QString::fromStdString(drawing::number(refused.weight, 2));
+    default: return "–";
+    }
+}
+
 } // namespace
 
 void RayTreeModel::show(const Trace* trace, double least) {
@@ -56,6 +76,7 @@ void RayTreeModel::show(const Trace* trace, double least) {
     const std::size_t count = trace->rays.size();
     children_.assign(count, {});
     rows_.assign(count, -1);
+    cuts_.clear();
     left_out_ = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const TracedRay& ray = trace->rays[i];
@@ -69,7 +90,26 @@ void RayTreeModel::show(const Trace* trace, double least) {
         rows_[i] = root ? 0 : int(siblings->size());
         if (siblings != nullptr) siblings->push_back(int(i));
     }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (rows_[i] < 0) continue;
+        for (const Event& event : trace->rays[i].events) {
+            const auto* refused = std::get_if<NotSpawned>(&event);
+            if (refused == nullptr || limit_of(*refused) == nullptr || refused->weight < least) continue;
+            children_[i].push_back(int(count + cuts_.size()));
+            cuts_.emplace_back(int(i), refused);
+        }
+    }
     endResetModel();
+}
+
+const std::pair<int, const NotSpawned*>* RayTreeModel::cut(const QModelIndex& index) const {
+    const auto id = std::size_t(index.internalId());
+    return id < rows_.size() ? nullptr : &cuts_[id - rows_.size()];
+}
+
+int RayTreeModel::ray_of(const QModelIndex& index) const {
+    const auto* refused = cut(index);
+    return refused != nullptr ? refused->first : int(index.internalId());
 }
 
 QModelIndex RayTreeModel::index_of(int ray, int column) const {
@@ -81,6 +121,7 @@ QModelIndex RayTreeModel::index_of(int ray, int column) const {
 QModelIndex RayTreeModel::index(int row, int column, const QModelIndex& parent) const {
     if (trace_ == nullptr || row < 0) return {};
     if (!parent.isValid()) return row == 0 ? createIndex(0, column, quintptr(0)) : QModelIndex();
+    if (cut(parent) != nullptr) return {};
     const auto& children = children_[std::size_t(ray_of(parent))];
     return std::size_t(row) < children.size() ? createIndex(row, column, quintptr(children[std::size_t(row)]))
                                               : QModelIndex();
@@ -88,11 +129,12 @@ QModelIndex RayTreeModel::index(int row, int column, const QModelIndex& parent) 
 
 QModelIndex RayTreeModel::parent(const QModelIndex& index) const {
     if (!index.isValid() || trace_ == nullptr) return {};
+    if (const auto* refused = cut(index)) return index_of(refused->first);
     return index_of(trace_->rays[std::size_t(ray_of(index))].parent);
 }
 
 int RayTreeModel::rowCount(const QModelIndex& parent) const {
-    if (trace_ == nullptr || parent.column() > 0) return 0;
+    if (trace_ == nullptr || parent.column() > 0 || (parent.isValid() && cut(parent) != nullptr)) return 0;
     return parent.isValid() ? int(children_[std::size_t(ray_of(parent))].size()) : 1;
 }
 
@@ -100,12 +142,18 @@ int RayTreeModel::columnCount(const QModelIndex& /*parent*/) const { return colu
 
 QVariant RayTreeModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || trace_ == nullptr) return {};
+    if (role == Qt::TextAlignmentRole && index.column() >= distance)
+        return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (const auto* refused = cut(index)) {
+        if (role == Qt::DisplayRole) return text_of(*refused->second, index.column());
+        if (role == Qt::ForegroundRole) return QColor(0x60, 0x60, 0x60);
+        if (role == Qt::ToolTipRole) return "Not followed: a limit of the scene was reached";
+        return {};
+    }
     const TracedRay& ray = trace_->rays[std::size_t(ray_of(index))];
     if (role == Qt::DisplayRole) return text_of(*trace_, ray_of(index), index.column());
     if (role == Qt::DecorationRole && index.column() == name) return stroke_of(ray);
     if (role == Qt::ForegroundRole && index.column() == name) return qt_colour(drawing::ray_text_colour(ray));
-    if (role == Qt::TextAlignmentRole && index.column() >= distance)
-        return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};
 }
 
@@ -129,7 +177,7 @@ RayTree::RayTree() {
     header()->setSectionResizeMode(QHeaderView::Interactive);
     header()->setMinimumSectionSize(36);
     connect(selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
-        if (!showing_ && index.isValid() && on_ray) on_ray(RayTreeModel::ray_of(index));
+        if (!showing_ && index.isValid() && on_ray) on_ray(model_.ray_of(index));
     });
 }
 
@@ -167,7 +215,7 @@ QStringList RayTree::current_row() const {
     QStringList texts;
     const QModelIndex current = currentIndex();
     for (int column = 0; current.isValid() && column < columns; ++column)
-        texts << model_.index_of(RayTreeModel::ray_of(current), column).data().toString();
+        texts << model_.index_of(model_.ray_of(current), column).data().toString();
     return texts;
 }
 

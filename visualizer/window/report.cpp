@@ -69,6 +69,8 @@ std::string report_of(MainWindow& window, const std::string& line, bool ok) {
         {"rays", window.shown().rays.size()},
         {"row", row},
         {"left_out", window.tree.left_out()},
+        {"not_followed", window.tree.not_followed()},
+        {"stops", text_of(window.stops())},
         {"place", text_of(window.place())},
         {"pixel_text", text_of(window.pixel())},
         {"octree", octree_json(window)},
