@@ -10,6 +10,9 @@ namespace rayscope::drawing {
 
 class Mesh {
 public:
+    /// How round it is what follows: at least 3 sides of a tube; balls and cones go with it.
+    void set_sides(int sides) { sides_ = sides; }
+
     /// A round stroke; its radius may change from one end to the other.
     void add_tube(const Vec3d& from, const Vec3d& to, double radius_from, double radius_to, Rgb colour);
     void add_cone(const Vec3d& base, const Vec3d& tip, double radius, Rgb colour);
@@ -21,6 +24,7 @@ public:
 private:
     int add(const Vec3d& point, const Vec3d& normal, Rgb colour);
 
+    int sides_ = 10;
     std::vector<Vec3d> points_, normals_;
     std::vector<Rgb> colours_;
     std::vector<std::array<int, 4>> quads_;

@@ -26,6 +26,8 @@ Weights weights_of(Emphasis emphasis) {
     }
 }
 
+constexpr std::size_t many_rays = 60;
+
 // In radii of the region.
 constexpr double rays_within = 50; // what the graphics card's numbers can hold beside the region
 constexpr double lanes_within = 1.1;
@@ -150,26 +152,30 @@ void RayStrokes::draw_hit(const Vec3d& point, const Vec3d& normal, bool with_nor
 
 void RayStrokes::draw(const Trace& trace, const std::vector<RayStyle>& styles, vtkPolyData* rays,
                       vtkPolyData* hits) {
-    std::map<int, vtkIdType> hit_of;
+    std::vector<vtkIdType> hit_of(trace.rays.size(), none);
     vtkDataArray* ids = hits->GetPointData()->GetArray("ray_id");
-    for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i) hit_of[int(ids->GetTuple1(i))] = i;
-    const bool few_hits = hit_of.size() <= 14;
+    for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i) hit_of[std::size_t(ids->GetTuple1(i))] = i;
+    const bool few_hits = hits->GetNumberOfPoints() <= 14;
     std::size_t normals = 0;
     for (const RayStyle& style : styles) {
+        // Thin and many: nobody sees how round they are.
+        const bool many = styles.size() > many_rays && style.emphasis != Emphasis::path;
+        mesh_.set_sides(many ? 5 : 10);
         const vtkIdType cell = style.ray; // one line for each ray, in their order
         const Vec3d from = view_.to_view(point_of(rays, 2 * cell)),
                     to = view_.to_view(point_of(rays, 2 * cell + 1));
         draw_ray(trace.rays[std::size_t(style.ray)], from, to, cell_value(rays, "open", cell) > 0,
                  style.emphasis);
-        const auto hit = hit_of.find(style.ray);
-        if (hit == hit_of.end()) continue;
+        const vtkIdType hit = hit_of[std::size_t(style.ray)];
+        if (hit == none) continue;
         std::array<double, 3> n{};
-        hits->GetPointData()->GetNormals()->GetTuple(hit->second, n.data());
+        hits->GetPointData()->GetNormals()->GetTuple(hit, n.data());
         const bool with_normal = style.emphasis == Emphasis::path ||
                                  (style.emphasis == Emphasis::plain && (few_hits || normals < 8));
         if (with_normal) ++normals;
-        draw_hit(view_.to_view(point_of(hits, hit->second)), {n[0], n[1], n[2]}, with_normal, style.emphasis);
+        draw_hit(view_.to_view(point_of(hits, hit)), {n[0], n[1], n[2]}, with_normal, style.emphasis);
     }
+    mesh_.set_sides(10);
 }
 
 void RayStrokes::draw_lanes(const Trace& trace, int ray, const Lanes& lanes, vtkPolyData* spans) {
