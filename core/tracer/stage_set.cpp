@@ -41,17 +41,23 @@ void StageSet::build(StageKind kind, const std::optional<Screen>& screen) {
 
 BestChoice best_choice(const World<double>& world) {
     const std::size_t count = world.objects.size();
+    const std::string objects = fmt::format("{} object{}", count, count == 1 ? "" : "s");
     const bool parts_apart = std::ranges::any_of(
         world.compounds, [](const Compound& compound) { return !compound.extents.empty(); });
     if (count <= few && !parts_apart)
         return {rungs.front().choice,
-                fmt::format("{} objects: to test all of them is quicker than to look for those that matter",
-                            count)};
+                objects + ": to test all of them is quicker than to look for those that matter"};
+    const auto polygons = std::ranges::count_if(world.objects, [&](const Object& object) {
+        return !object.is_compound &&
+               std::holds_alternative<Polygon<double>>(world.solids[object.index].shape);
+    });
+    if (2 * std::size_t(polygons) > count)
+        return {{StageKind::bvh, StageKind::bvh, StageKind::bvh},
+                objects + ", mostly polygons: in boxes they are tested eight at a time, in lists one by one"};
     return {{StageKind::projective, StageKind::light, StageKind::bvh},
-            fmt::format(
-                "{} objects{}: the screen and each light list what they see in every direction; mirrored and "
-                "refracted rays walk through boxes",
-                count, count <= few ? ", with boxes around parts of a compound" : "")};
+            objects + (count <= few ? ", with boxes around parts of a compound" : "") +
+                ": the screen and each light list what they see in every direction; mirrored and refracted "
+                "rays walk through boxes"};
 }
 
 } // namespace rayscope

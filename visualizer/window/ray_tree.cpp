@@ -28,6 +28,11 @@ QPixmap stroke_of(const TracedRay& ray) {
     return pixmap;
 }
 
+/// As many digits as the column has room for.
+QString share_text(double weight) {
+    return QString::fromStdString(drawing::number(weight, weight >= 0.01 ? 3 : weight >= 0.001 ? 2 : 1));
+}
+
 QString text_of(const Trace& trace, int id, int column) {
     const TracedRay& ray = trace.rays[std::size_t(id)];
     const bool known = is_finished(ray) || ray.find<BoundaryChosen>() != nullptr;
@@ -44,7 +49,7 @@ QString text_of(const Trace& trace, int id, int column) {
         const drawing::RayEnd end = drawing::drawn_end(ray, infinity<double>);
         return end.open ? QString("–") : QString::fromStdString(drawing::number(end.t, 4));
     }
-    default: return QString::fromStdString(drawing::number(weight(ray), 3));
+    default: return share_text(weight(ray));
     }
 }
 
@@ -63,7 +68,7 @@ QString text_of(const NotSpawned& refused, int column) {
     switch (column) {
     case name: return QString("no %1 ray").arg(drawing::kind_name(refused.kind));
     case target: return limit_of(refused);
-    case share: return QString::fromStdString(drawing::number(refused.weight, 2));
+    case share: return share_text(refused.weight);
     default: return "–";
     }
 }
