@@ -25,7 +25,8 @@ int run(const Context& context, const Verify& command) {
         std::fflush(stdout);
         wrong += problems.empty() ? 0 : 1;
     });
-    std::printf("%zu exercises, %d seeds each: %d with problems\n", chosen.size(), command.seeds, wrong);
+    std::printf("%zu exercise%s, %d seed%s each: %d with problems\n", chosen.size(),
+                chosen.size() == 1 ? "" : "s", command.seeds, command.seeds == 1 ? "" : "s", wrong);
     return wrong == 0 ? done : failed;
 }
 
