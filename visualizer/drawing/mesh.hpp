@@ -10,7 +10,9 @@ namespace rayscope::drawing {
 
 class Mesh {
 public:
-    /// How round it is what follows: at least 3 sides of a tube; balls and cones go with it.
+    static constexpr int round = 10; ///< sides, where nothing else is asked for
+
+    /// How round is what follows: at least 3 sides of a tube; balls and cones go with it.
     void set_sides(int sides) { sides_ = sides; }
 
     /// A round stroke; its radius may change from one end to the other.
@@ -24,7 +26,7 @@ public:
 private:
     int add(const Vec3d& point, const Vec3d& normal, Rgb colour);
 
-    int sides_ = 10;
+    int sides_ = round;
     std::vector<Vec3d> points_, normals_;
     std::vector<Rgb> colours_;
     std::vector<std::array<int, 4>> quads_;

@@ -160,7 +160,7 @@ void RayStrokes::draw(const Trace& trace, const std::vector<RayStyle>& styles, v
     for (const RayStyle& style : styles) {
         // Thin and many: nobody sees how round they are.
         const bool many = styles.size() > many_rays && style.emphasis != Emphasis::path;
-        mesh_.set_sides(many ? 5 : 10);
+        mesh_.set_sides(many ? Mesh::round / 2 : Mesh::round);
         const vtkIdType cell = style.ray; // one line for each ray, in their order
         const Vec3d from = view_.to_view(point_of(rays, 2 * cell)),
                     to = view_.to_view(point_of(rays, 2 * cell + 1));
@@ -175,7 +175,7 @@ void RayStrokes::draw(const Trace& trace, const std::vector<RayStyle>& styles, v
         if (with_normal) ++normals;
         draw_hit(view_.to_view(point_of(hits, hit)), {n[0], n[1], n[2]}, with_normal, style.emphasis);
     }
-    mesh_.set_sides(10);
+    mesh_.set_sides(Mesh::round);
 }
 
 void RayStrokes::draw_lanes(const Trace& trace, int ray, const Lanes& lanes, vtkPolyData* spans) {

@@ -76,8 +76,15 @@ void MainWindow::make_options() {
     stops_.setPopupMode(QToolButton::InstantPopup);
     stops_.setToolTip("The stops that are set; a click on one takes it away");
     stops_.setFocusPolicy(Qt::ClickFocus);
+    auto* stops = new QMenu(&stops_);
+    QObject::connect(stops, &QMenu::aboutToShow, this, [this, stops] {
+        stops->clear();
+        for (const StopPoint& point : desk.walk().stops().all())
+            stops->addAction(QString("✕  %1").arg(QString::fromStdString(point.expression.text())),
+                             [this, number = point.number] { command("delete " + std::to_string(number)); });
+    });
+    stops_.setMenu(stops);
     bar->addWidget(&stops_);
-    show_stops();
     bar->addSeparator();
     bar->addWidget(new QLabel(" Image "));
     overlay_.setObjectName("overlay");
@@ -123,17 +130,11 @@ void MainWindow::make_options() {
 }
 
 void MainWindow::show_stops() {
-    const auto& all = desk.walk().stops().all();
-    stops_.setEnabled(!all.empty());
-    stops_.setText(all.empty()       ? "no stops"
-                   : all.size() == 1 ? QString("1 stop")
-                                     : QString("%1 stops").arg(all.size()));
-    auto* menu = new QMenu(&stops_);
-    for (const StopPoint& point : all)
-        menu->addAction(QString("✕  %1").arg(QString::fromStdString(point.expression.text())),
-                        [this, number = point.number] { command("delete " + std::to_string(number)); });
-    if (QMenu* old = stops_.menu()) old->deleteLater(); // it may be what asked for this
-    stops_.setMenu(menu);
+    const std::size_t count = desk.walk().stops().all().size();
+    stops_.setEnabled(count > 0);
+    stops_.setText(count == 0   ? QString("no stops")
+                   : count == 1 ? QString("1 stop")
+                                : QString("%1 stops").arg(count));
 }
 
 void MainWindow::play(bool on) {

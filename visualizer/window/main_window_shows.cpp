@@ -58,6 +58,7 @@ void MainWindow::trace_changed() {
                              : QString::fromStdString(cli::result_text(trace, desk.style()) + "\n" +
                                                       cli::ledger_text(trace, desk.style())));
     show_pixel();
+    show_stops();
     moved();
 }
 
