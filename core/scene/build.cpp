@@ -49,7 +49,8 @@ double reach_of(const Placed& placed) {
     return reach;
 }
 
-// A sphere that no matrix distorts needs none, but for a pattern: it is put at its place in world space.
+// A sphere that no matrix distorts needs none, but for a pattern, or for formulas of somebody else's that are to be asked
+// about it: it is put at its place in world space.
 template <Numbers N> Solid<N> solid_of(const Placed& placed) {
     using T = ScalarOf<N>;
     Solid<N> solid;
@@ -57,7 +58,8 @@ template <Numbers N> Solid<N> solid_of(const Placed& placed) {
     solid.material = placed.material;
     solid.reach = T(reach_of(placed));
     const auto* sphere = std::get_if<Sphere<double>>(&placed.shape);
-    const T scale = sphere != nullptr && !placed.patterned ? similarity_scale<T>(placed.matrix) : T(0);
+    const bool needs_matrix = placed.patterned || std::is_same_v<N, Substituted>;
+    const T scale = sphere != nullptr && !needs_matrix ? similarity_scale<T>(placed.matrix) : T(0);
     if (scale > T(0)) {
         solid.transform = Transform<N>::moving(Vec3d{placed.matrix[3]});
         solid.shape = Sphere<N>{scale * T(sphere->radius)};

@@ -18,6 +18,14 @@ struct FormulaHit {
     int source = 0; ///< which crossing it is: counted through the first operand's, then the second's
 };
 
+/// What happens at the wall of an object in air.
+struct FormulaWall {
+    Vec3d facing{0}; ///< the normal against the ray
+    double speed_from = 1, speed_to = 1;
+    bool local = false; ///< whether its local light is to be computed
+    bool total = false; ///< whether the ray is reflected totally
+};
+
 /// Those that are empty stay the tracer's own. Each may throw, which ends the render or the trace. They are called by one
 /// thread.
 struct Formulas {
@@ -32,6 +40,13 @@ struct Formulas {
     /// The crossings with A − B, from those with A and B: finite ones, ascending; who exits first comes from inside.
     std::function<std::vector<FormulaHit>(const std::vector<FormulaHit>& a, const std::vector<FormulaHit>& b)>
         difference;
+    /// The ray in the object space of a solid with this matrix. Meshes keep the tracer's.
+    std::function<Ray<double>(const Ray<double>& ray, const Mat4d& matrix)> to_object;
+    /// At an object of this speed that lets light through, with nothing but air (speed 1) around it; d and the outward normal
+    /// unit. Elsewhere the tracer decides.
+    std::function<FormulaWall(const Vec3d& d, const Vec3d& outward, double speed)> wall;
+    /// The share of unpolarized light that is mirrored.
+    std::function<double(double speed_from, double speed_to, double cosine)> fresnel;
 };
 
 } // namespace rayscope

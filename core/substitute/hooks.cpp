@@ -176,6 +176,27 @@ template <> Vec3<double> Solid<Substituted>::normal(const Ray<double>& ray, doub
     return use.formulas->normal(normalized(n), transform.matrix());
 }
 
+template <> Intervals<double> Solid<Substituted>::intervals(const Ray<double>& ray, int leaving) const {
+    const Formulas& formulas = *formulas_in_use().formulas;
+    const Ray<double> moved =
+        formulas.to_object ? formulas.to_object(ray, transform.matrix()) : transform.to_object(ray);
+    return std::visit([&](const auto& s) { return s.intervals(moved, leaving); }, shape);
+}
+
+template <> void reconsider_wall<Substituted>(const World<Substituted>& world, Interaction<Substituted>& at) {
+    FormulasInUse& use = formulas_in_use();
+    use.wall.reset();
+    const bool enters = at.hit.entering;
+    const Id inside = enters ? at.media.to : at.media.from, outside = enters ? at.media.from : at.media.to;
+    const bool in_air = outside == none && world.medium_speed == 1;
+    if (!use.formulas->wall || inside != Id(at.hit.object) || !in_air) return;
+    use.wall = use.formulas->wall(at.incoming, at.normal, speed_in(world, inside));
+    at.facing = at.flat = use.wall->facing;
+    at.speed_from = use.wall->speed_from;
+    at.speed_to = use.wall->speed_to;
+    at.leaves_transmitting_solid = !use.wall->local;
+}
+
 template <> Intervals<double> Sphere<Substituted>::intervals(const Ray<double>& ray, int leaving) const {
     const Formulas& formulas = *formulas_in_use().formulas;
     if (!formulas.sphere) return Sphere<double>{radius}.intervals(ray, leaving);

@@ -20,24 +20,17 @@ private:
     std::lock_guard<std::mutex> lock_;
 };
 
-World<Substituted> world_of(const Scene& scene) {
-    World<Substituted> world = build<Substituted>(scene);
-    // Balls are found by arithmetic of their own, many at once: here each sphere is to be asked.
-    for (Solid<Substituted>& solid : world.solids) solid.is_ball = false;
-    return world;
-}
-
 } // namespace
 
 RenderResult render_with(const Scene& scene, const Formulas& formulas, RenderOptions options) {
     const Use use(formulas);
     options.threads = 1;
-    return render(world_of(scene), scene.camera, options);
+    return render(build<Substituted>(scene), scene.camera, options);
 }
 
 Recording record_with(const Scene& scene, const Formulas& formulas, const Ray<double>& ray) {
     const Use use(formulas);
-    return record(world_of(scene), ray);
+    return record(build<Substituted>(scene), ray);
 }
 
 } // namespace rayscope

@@ -103,6 +103,10 @@ void leave_from(Interaction<N>& at, const World<N>& world, const Leaving<T>& bef
         if (!surface.crosses) at.back.add(side(surface, surface.starts_inside, true));
 }
 
+/// Where a formula of somebody else's may decide what happens at the wall of what transmits (core/substitute); ours has
+/// decided already.
+template <Numbers N> void reconsider_wall(const World<N>& /*world*/, Interaction<N>& /*at*/) {}
+
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] Interaction<N> interact(const World<N>& world, const Ray<T>& ray, const Nearest<T>& nearest,
                                       const Leaving<T>& leaving, Id medium, Work<T>& work) {
@@ -145,6 +149,7 @@ template <Numbers N, Scalar T = ScalarOf<N>>
         at.media = media_at(world, ray, at.hit, leaving, work);
         at.speed_from = speed_in(world, at.media.from);
         at.speed_to = speed_in(world, at.media.to);
+        reconsider_wall(world, at);
     }
     return at;
 }

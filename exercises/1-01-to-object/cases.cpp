@@ -16,4 +16,9 @@ void cases(Cases& c) {
     c.add("scale of 1e-4", ray(), c.translation() * Cases::scale(dvec3(1e-4)));
 }
 
-Shown show(const Ray& r, const dmat4& M) { return {scene(generic("ball", "sphere", M)), r}; }
+/// A ball with the shape that M gives it, on the ray's way: where M puts it the ray may miss it.
+Shown show(const Ray& r, const dmat4& M) {
+    dmat4 met = M;
+    met[3] = dvec4(r.o + 6.0 * r.d, 1);
+    return {scene(generic("ball", "sphere", met)), r};
+}

@@ -29,7 +29,7 @@ void cases(Cases& c) {
 Shown show(double c1, double c2, double cosI) {
     const dvec3 d(std::sqrt(std::max(0.0, 1 - cosI * cosI)), 0, -cosI);
     return {"[scene]\nmedium = { speed = " + digits(c1) +
-                " }\n\n[materials.medium2]\ntransmission = 0.9\nspeed = " + digits(c2) + "\n\n" +
+                " }\n\n[materials.medium2]\nfresnel = true\nspeed = " + digits(c2) + "\n\n" +
                 scene(generic("below", "plane", dmat4(1), "medium2"), {2, -5, 3}),
             {-3.0 * d, d}};
 }

@@ -37,6 +37,7 @@ const char* question(Answer answer) {
     case Answer::total: return "whether the reflection is total";
     case Answer::followed: return "whether a ray goes on";
     case Answer::weight: return "the weight of the ray";
+    case Answer::share: return "the share of the light that is mirrored or goes through";
     case Answer::origin: return "where the ray starts";
     case Answer::direction: return "the direction of a ray";
     case Answer::t: return "the t of the hit";

@@ -151,6 +151,22 @@ Formulas served_formulas(const Toolchain& toolchain, const Exercise& exercise,
                                 int(std::get<std::int64_t>(field(hit, 3).content))});
             return hits;
         };
+    if (exercise.formula == "toObject")
+        formulas.to_object = [server](const Ray<double>& ray, const Mat4d& matrix) -> Ray<double> {
+            const Value answer = server->call({value_of(ray), value_of(matrix)});
+            return {vector(field(answer, 0)), vector(field(answer, 1))};
+        };
+    if (exercise.formula == "wall")
+        formulas.wall = [server](const Vec3d& d, const Vec3d& outward, double speed) -> FormulaWall {
+            const Value answer = server->call({value_of(d), value_of(outward), {speed}});
+            const auto flag = [&](std::size_t i) { return std::get<bool>(field(answer, i).content); };
+            return {vector(field(answer, 0)), number(field(answer, 1)), number(field(answer, 2)), flag(3),
+                    flag(4)};
+        };
+    if (exercise.formula == "fresnel")
+        formulas.fresnel = [server](double speed_from, double speed_to, double cosine) {
+            return number(server->call({{speed_from}, {speed_to}, {cosine}}));
+        };
     return formulas;
 }
 

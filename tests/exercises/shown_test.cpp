@@ -70,7 +70,9 @@ INSTANTIATE_TEST_SUITE_P(Quick, WrongAnswer,
                                          "3-02-cut-bg", "3-03-single", "3-03-no-eps", "4-01-notes",
                                          "4-01-reversed", "4-04-dry", "5-02-notes", "5-02-two", "6-01-bits",
                                          "6-02-index", "6-02-behind", "6-03-eager", "7-02-length",
-                                         "7-03-outside", "8-01-both", "1-04-infinite"),
+                                         "7-03-outside", "8-01-both", "1-04-infinite", "1-01-w1", "1-01-unit",
+                                         "4-03-lit", "4-03-no-flip", "4-03-no-swap", "4-03-no-tir",
+                                         "8-02-flat", "8-02-inverse", "8-02-schlick"),
                          [](const auto& one) { return test_name(one.param); });
 
 // Each says of the case what the tracer says of the ray.

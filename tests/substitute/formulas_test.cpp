@@ -49,6 +49,28 @@ std::vector<FormulaHit> without(const std::vector<FormulaHit>& a, const std::vec
     return result;
 }
 
+Ray<double> object_ray(const Ray<double>& ray, const Mat4d& matrix) {
+    const glm::dmat4 inverse = glm::inverse(glm::dmat4(matrix));
+    return {Vec3d(inverse * glm::dvec4(ray.origin, 1)), Vec3d(inverse * glm::dvec4(ray.direction, 0))};
+}
+
+FormulaWall at_wall(const Vec3d& d, const Vec3d& outward, double speed) {
+    const double cosine = dot(d, outward);
+    const bool enters = cosine < 0;
+    FormulaWall wall{enters ? outward : -outward, enters ? 1 : speed, enters ? speed : 1, enters, false};
+    const double eta = wall.speed_to / wall.speed_from;
+    wall.total = 1 - eta * eta * (1 - cosine * cosine) < 0;
+    return wall;
+}
+
+double mirrored_share(double c1, double c2, double cosine) {
+    const double eta = c2 / c1, k = 1 - eta * eta * (1 - cosine * cosine);
+    if (k < 0) return 1;
+    const double across = (c2 * cosine - c1 * std::sqrt(k)) / (c2 * cosine + c1 * std::sqrt(k));
+    const double along = (c1 * cosine - c2 * std::sqrt(k)) / (c1 * cosine + c2 * std::sqrt(k));
+    return (across * across + along * along) / 2;
+}
+
 Formulas right() {
     Formulas formulas;
     formulas.mirror = [](const Vec3d&, const Vec3d& d, const Vec3d& n) { return d - 2 * dot(d, n) * n; };
@@ -56,6 +78,9 @@ Formulas right() {
     formulas.normal = moved_normal;
     formulas.sphere = unit_sphere;
     formulas.difference = without;
+    formulas.to_object = object_ray;
+    formulas.wall = at_wall;
+    formulas.fresnel = mirrored_share;
     return formulas;
 }
 
@@ -94,7 +119,8 @@ TEST_P(Substituted, right_formulas_change_no_picture) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Substituted,
                          testing::Values("02_csg/glass_bowl", "02_csg/cylinder_with_holes",
                                          "03_reflection/mirror_room", "04_refraction/prism",
-                                         "04_refraction/bubble"));
+                                         "04_refraction/bubble", "07_accuracy/nested_glass",
+                                         "08_effects/ice_water"));
 
 const Ray<double> down_the_room{{-1.5, 0.25, 1.9}, {0.851801, -0.0798031, -0.517752}};
 
@@ -132,6 +158,45 @@ TEST(Formulas, a_difference_that_keeps_the_normal_shows_the_wrong_face) {
     EXPECT_GT(different_pixels(scene("02_csg/glass_bowl"), formulas), 100);
 }
 
+TEST(Formulas, a_ray_made_unit_in_object_space_hits_at_another_t) {
+    Formulas formulas;
+    formulas.to_object = [](const Ray<double>& ray, const Mat4d& matrix) {
+        const Ray<double> moved = object_ray(ray, matrix);
+        return Ray<double>{moved.origin, normalized(moved.direction)};
+    };
+    const auto parted = divergence(scene("01_generics/ellipsoid"), formulas, {{3, 0.1, 6}, {0.2, 0, -1}});
+    ASSERT_TRUE(parted);
+    EXPECT_EQ(parted->answer, Answer::t);
+}
+
+TEST(Formulas, a_wall_that_is_lit_from_inside_parts_at_the_local_light) {
+    Formulas formulas;
+    formulas.wall = [](const Vec3d& d, const Vec3d& outward, double speed) {
+        FormulaWall wall = at_wall(d, outward, speed);
+        wall.local = true;
+        return wall;
+    };
+    EXPECT_GT(different_pixels(scene("04_refraction/prism"), formulas), 20);
+}
+
+TEST(Formulas, a_wall_asks_of_objects_in_air_alone) {
+    Formulas formulas;
+    std::vector<double> asked;
+    formulas.wall = [&](const Vec3d& d, const Vec3d& outward, double speed) {
+        asked.push_back(speed);
+        return at_wall(d, outward, speed);
+    };
+    (void)render(scene("08_effects/ice_water"), formulas, small());
+    ASSERT_FALSE(asked.empty());
+    for (const double speed : asked) EXPECT_LT(speed, 1);
+}
+
+TEST(Formulas, a_share_that_is_wrong_changes_the_light) {
+    Formulas formulas;
+    formulas.fresnel = [](double, double, double) { return 0.5; };
+    EXPECT_GT(different_pixels(scene("08_effects/ice_water"), formulas), 100);
+}
+
 TEST(Formulas, that_throw_end_the_render) {
     Formulas formulas;
     formulas.sphere = [](const Ray<double>&) -> std::vector<std::pair<double, double>> {
@@ -155,6 +220,15 @@ TEST(Formulas, that_return_nonsense_do_no_harm) {
     formulas.mirror = [](const Vec3d&, const Vec3d&, const Vec3d&) { return Vec3d{std::nan("")}; };
     formulas.refract = [](const Vec3d&, const Vec3d&, double, double) { return Vec3d{0}; };
     formulas.normal = [](const Vec3d&, const Mat4d&) { return Vec3d{infinity<double>}; };
+    formulas.wall = [](const Vec3d&, const Vec3d&, double) {
+        return FormulaWall{Vec3d{0}, -1, infinity<double>, true, false};
+    };
+    formulas.fresnel = [](double, double, double) { return -1e300; };
+    EXPECT_EQ(render(scene("02_csg/glass_bowl"), formulas, small()).image.width, 48);
+    EXPECT_EQ(render(scene("08_effects/ice_water"), formulas, small()).image.width, 48);
+    formulas.to_object = [](const Ray<double>&, const Mat4d&) {
+        return Ray<double>{Vec3d{infinity<double>}, Vec3d{0}};
+    };
     EXPECT_EQ(render(scene("02_csg/glass_bowl"), formulas, small()).image.width, 48);
 }
 
