@@ -1,36 +1,22 @@
 #include "core/trace/divergence.hpp"
 
 #include "core/trace/children.hpp"
+#include "core/trace/events_of.hpp"
 #include "core/trace/explained.hpp"
 #include "core/trace/given.hpp"
+#include "core/trace/span_counts.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace rayscope {
 namespace {
 
-template <typename E> std::vector<const E*> all(const TracedRay& ray) {
-    std::vector<const E*> list;
-    for (const Event& event : ray.events)
-        if (const E* found = std::get_if<E>(&event)) list.push_back(found);
-    return list;
-}
-
-template <typename E> bool has(const TracedRay& ray) { return ray.find<E>() != nullptr; }
-
 /// Why none of this kind follows; nothing if one does, or should.
 std::optional<Reason> refusal(const TracedRay& ray, RayKind kind) {
-    for (const NotSpawned* refused : all<NotSpawned>(ray))
+    for (const NotSpawned* refused : events_of<NotSpawned>(ray))
         if (refused->kind == kind) return refused->reason;
     return std::nullopt;
-}
-
-/// A shadow ray that is blocked asks no further, and a stage tests what may matter: of other objects nothing is known.
-bool tested_some(const TracedRay& ray) {
-    const auto* end = ray.start().kind == RayKind::shadow ? ray.find<RayFinished>() : nullptr;
-    return has<SearchBegan>(ray) || (end != nullptr && end->colour == Colour{0});
 }
 
 /// The largest component of |a − b|; NaN if one is, which largest_component() would pass over.
@@ -42,20 +28,6 @@ double distance(const Vec3d& a, const Vec3d& b) {
         largest = maximum(largest, d);
     }
     return largest;
-}
-
-using Counts = std::map<Id, int>;                                // spans of each node
-using Inside = std::vector<std::pair<std::string_view, Counts>>; // of each object, as they were tested
-
-Inside inside_of(const Trace& trace, const TracedRay& ray) {
-    Inside inside;
-    for (const NodeEvaluated* event : all<NodeEvaluated>(ray)) {
-        const std::string_view name = trace.objects[std::size_t(event->object)].name;
-        auto at = std::ranges::find(inside, name, &Inside::value_type::first);
-        if (at == inside.end()) at = inside.insert(at, {name, {}});
-        at->second[event->node] = event->count;
-    }
-    return inside;
 }
 
 class SideBySide {
@@ -79,22 +51,16 @@ private:
         if (!complete(a) || !complete(b) || !start(a, b) || !spans(a, b)) return false;
         if (a.start().kind == RayKind::shadow) return visibility(a, b);
         if (!hit(a, b) || !given(a, b)) return false;
-        if (has<Missed>(a)) return true;
+        if (has_event<Missed>(a)) return true;
         const Drift drift = drift_at_hit(a, b);
-        return local_light(index, drift) && total(a, b) && follow(index, RayKind::reflected, drift) &&
-               follow(index, RayKind::refracted, drift);
+        return local_light(index, drift) && total(a, b) && shares(a, b, drift) &&
+               follow(index, RayKind::reflected, drift) && follow(index, RayKind::refracted, drift);
     }
 
     bool start(const TracedRay& a, const TracedRay& b) {
         const RaySpawned &p = a.start(), &q = b.start();
         if (medium(a_, p.medium) != medium(b_, q.medium)) return differs({Answer::media, index_});
-        if (p.weight != q.weight) {
-            Difference weights{Answer::weight, index_};
-            weights.first = p.weight;
-            weights.second = q.weight;
-            weights.is_vector = true;
-            return differs(std::move(weights));
-        }
+        if (!numbers(Answer::weight, p.weight, q.weight, explained_weight(index_))) return false;
         if (index_ == 0) // given in doubles, and rounded once
             return numbers(Answer::origin, p.origin, q.origin, epsilon_ * length(p.origin)) &&
                    numbers(Answer::direction, p.direction, q.direction, epsilon_ * length(p.direction));
@@ -107,40 +73,36 @@ private:
     }
 
     bool spans(const TracedRay& a, const TracedRay& b) {
-        const Inside in_a = inside_of(a_, a), in_b = inside_of(b_, b);
-        const auto agree = [&](const Inside& here, const Inside& there, bool swapped, bool all_there) {
-            for (const auto& [name, counts] : here) {
-                const auto found = std::ranges::find(there, name, &Inside::value_type::first);
-                if (found == there.end() && !all_there) continue;
-                for (const auto& [node, count] : counts) {
-                    // What the line misses is not recorded.
-                    const auto other = found == there.end() ? counts.end() : found->second.find(node);
-                    const bool known = found != there.end() && other != found->second.end();
-                    const int there_count = known ? other->second : 0;
-                    if (count == there_count) continue;
-                    Difference d{Answer::spans, index_};
-                    d.object = name;
-                    d.node = node;
-                    d.first.x = swapped ? there_count : count;
-                    d.second.x = swapped ? count : there_count;
-                    return differs(std::move(d));
-                }
-            }
-            return true;
-        };
-        return agree(in_a, in_b, false, !tested_some(b)) && agree(in_b, in_a, true, !tested_some(a));
+        const auto found = first_span_difference(a_, a, b_, b);
+        if (!found) return true;
+        Difference d{Answer::spans, index_};
+        d.object = found->object;
+        d.node = found->node;
+        d.first.x = found->first;
+        d.second.x = found->second;
+        return differs(std::move(d));
     }
 
     bool visibility(const TracedRay& a, const TracedRay& b) {
         const Colour seen_a = a.find<RayFinished>()->colour, seen_b = b.find<RayFinished>()->colour;
         // A product for each boundary, in doubles; rounding may have turned their order.
-        const double rounded = double(all<BlockerPassed>(a).size()) * epsilon<double>;
-        return numbers(Answer::visibility, seen_a, seen_b, seen_b == Colour{0} ? 0 : rounded);
+        const double rounded = double(events_of<BlockerPassed>(a).size()) * epsilon<double>;
+        const double explained = seen_b == Colour{0} ? 0 : rounded + explained_factors(a, b, epsilon_);
+        return numbers(Answer::visibility, seen_a, seen_b, explained);
+    }
+
+    // Of a ray that was sent on: what its parent's weight and the factors on its way to here brought along.
+    [[nodiscard]] double explained_weight(int index) const {
+        const int parent = a_.rays[std::size_t(index)].parent;
+        if (parent == none) return 0;
+        const TracedRay &a = a_.rays[std::size_t(parent)], &b = b_.rays[std::size_t(parent)];
+        const double rounded = a.start().weight == b.start().weight ? 0 : 8 * epsilon<double>;
+        return rounded + distance(a.start().weight, b.start().weight) + explained_factors(a, b, epsilon_);
     }
 
     bool hit(const TracedRay& a, const TracedRay& b) {
-        if (has<Missed>(a) != has<Missed>(b)) return differs({Answer::hit, index_});
-        if (has<Missed>(a)) return true;
+        if (has_event<Missed>(a) != has_event<Missed>(b)) return differs({Answer::hit, index_});
+        if (has_event<Missed>(a)) return true;
         const BoundaryChosen &p = *a.find<BoundaryChosen>(), &q = *b.find<BoundaryChosen>();
         const auto object = [](const Trace& trace, Id id) { return trace.objects[std::size_t(id)].name; };
         if (object(a_, p.object) != object(b_, q.object)) return differs({Answer::object, index_});
@@ -186,9 +148,9 @@ private:
 
     bool local_light(int index, const Drift& drift) {
         const TracedRay &a = a_.rays[std::size_t(index)], &b = b_.rays[std::size_t(index)];
-        if (has<LocalLightSkipped>(a) != has<LocalLightSkipped>(b))
+        if (has_event<LocalLightSkipped>(a) != has_event<LocalLightSkipped>(b))
             return differs({Answer::local_light, index});
-        const auto in_a = all<LightLit>(a), in_b = all<LightLit>(b);
+        const auto in_a = events_of<LightLit>(a), in_b = events_of<LightLit>(b);
         for (std::size_t i = 0; i < std::min(in_a.size(), in_b.size()); ++i) {
             const LightLit &p = *in_a[i], &q = *in_b[i];
             const int ray_a = shadow_ray_of(a_, a, p), ray_b = shadow_ray_of(b_, b, q, ray_a);
@@ -207,7 +169,25 @@ private:
     }
 
     bool total(const TracedRay& a, const TracedRay& b) {
-        return has<TotallyReflected>(a) == has<TotallyReflected>(b) || differs({Answer::total, index_});
+        return has_event<TotallyReflected>(a) == has_event<TotallyReflected>(b) ||
+               differs({Answer::total, index_});
+    }
+
+    // Fresnel's, which are calculated. Others the scene gives.
+    bool shares(const TracedRay& a, const TracedRay& b, const Drift& drift) {
+        if (!has_calculated_shares(a, b)) return true;
+        const double explained = explained_share(a, drift, epsilon_);
+        const auto *mirrored_a = a.find<Reflected>(), *mirrored_b = b.find<Reflected>();
+        if (mirrored_a != nullptr && mirrored_b != nullptr &&
+            !numbers(Answer::share, mirrored_a->coefficient, mirrored_b->coefficient, explained,
+                     RayKind::reflected))
+            return false;
+        const auto bent_a = events_of<Refracted>(a), bent_b = events_of<Refracted>(b);
+        for (std::size_t i = 0; i < std::min(bent_a.size(), bent_b.size()); ++i)
+            if (!numbers(Answer::share, bent_a[i]->coefficient, bent_b[i]->coefficient, explained,
+                         RayKind::refracted))
+                return false;
+        return true;
     }
 
     bool follow(int index, RayKind kind, const Drift& drift) {
@@ -219,7 +199,7 @@ private:
         }
         const auto next_a = children_of(a_, a, kind), next_b = children_of(b_, b, kind);
         if (next_a.size() != next_b.size()) return result_.complete = false;
-        const auto bent = all<Refracted>(a);
+        const auto bent = events_of<Refracted>(a);
         for (std::size_t i = 0; i < next_a.size(); ++i) {
             const double explained = kind == RayKind::refracted ? explained_bent(*bent[i], drift, epsilon_)
                                                                 : explained_mirrored(drift, epsilon_);
@@ -238,8 +218,8 @@ private:
     // Beyond the cap on events nothing is known.
     bool complete(const TracedRay& ray) {
         const bool answered =
-            ray.start().kind == RayKind::shadow || has<Missed>(ray) || has<BoundaryChosen>(ray);
-        return result_.complete = answered && has<RayFinished>(ray) && !has<Truncated>(ray);
+            ray.start().kind == RayKind::shadow || has_event<Missed>(ray) || has_event<BoundaryChosen>(ray);
+        return result_.complete = answered && has_event<RayFinished>(ray) && !has_event<Truncated>(ray);
     }
 
     bool differs(Difference found) {

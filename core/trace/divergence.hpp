@@ -24,6 +24,7 @@ enum class Answer : std::uint8_t {
     followed,      ///< whether a reflected or refracted ray goes on; and if not, why
     given,         ///< what the scene gives: a colour or a coefficient
     weight,        ///< the share of the pixel that a ray carries
+    share,         ///< of the light, that is mirrored or goes through, where that is calculated (Fresnel)
     origin,        ///< of the first ray
     direction,     ///< of any ray
     t,             ///< of the hit

@@ -32,6 +32,15 @@ struct Drift {
 /// Of the bent direction η (d + cos θ₁ n) − cos θ₂ n: θ₂ moves by η cos θ₁ / cos θ₂ times as much as θ₁.
 [[nodiscard]] double explained_bent(const Refracted& bent, const Drift& drift, double epsilon);
 
+/// Of the share of the light that Fresnel's equations, or Schlick's approximation, mirror: its derivatives by cos θ₁ and
+/// cos θ₂ are at most 5 / cos θ₁ and 5 / cos θ₂, and θ₂ moves as above. Where nothing goes on to tell of θ₂: as near the
+/// critical angle, by the root of what the angle moves.
+[[nodiscard]] double explained_share(const TracedRay& ray, const Drift& drift, double epsilon);
+
+/// Of the product of all factors that a ray's light is multiplied with on its way to here: the factors' own differences.
+/// One by more than √ε is not what precision brings about.
+[[nodiscard]] double explained_factors(const TracedRay& a, const TracedRay& b, double epsilon);
+
 /// Of the direction to a light at this distance.
 [[nodiscard]] double explained_to_light(const TraceLight& light, const Vec3d& point, const Drift& drift,
                                         double epsilon);

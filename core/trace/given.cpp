@@ -9,7 +9,7 @@ struct Gift {
     Vec3d value;
 };
 
-std::vector<Gift> gifts_of(const TracedRay& ray) {
+std::vector<Gift> gifts_of(const TracedRay& ray, bool with_shares) {
     std::vector<Gift> gifts;
     double lights = 0;
     for (const Event& event : ray.events) {
@@ -26,6 +26,7 @@ std::vector<Gift> gifts_of(const TracedRay& ray) {
             gifts.push_back({"the specular coefficient", none, lit->specular_coefficient});
             gifts.push_back({"the shininess", none, Vec3d{lit->shininess}});
         }
+        if (!with_shares) continue;
         if (const auto* mirrored = std::get_if<Reflected>(&event))
             gifts.push_back({"the coefficient of the reflected ray", none, mirrored->coefficient});
         if (const auto* bent = std::get_if<Refracted>(&event))
@@ -37,8 +38,13 @@ std::vector<Gift> gifts_of(const TracedRay& ray) {
 
 } // namespace
 
+bool has_calculated_shares(const TracedRay& a, const TracedRay& b) {
+    return a.find<FresnelShared>() != nullptr && b.find<FresnelShared>() != nullptr;
+}
+
 std::optional<GivenDifference> first_given_difference(const TracedRay& a, const TracedRay& b) {
-    const auto in_a = gifts_of(a), in_b = gifts_of(b);
+    const bool with_shares = !has_calculated_shares(a, b);
+    const auto in_a = gifts_of(a, with_shares), in_b = gifts_of(b, with_shares);
     for (std::size_t i = 0; i < std::min(in_a.size(), in_b.size()); ++i) {
         if (in_a[i].what != in_b[i].what) break; // another decision, which is told as one
         if (in_a[i].value != in_b[i].value)

@@ -13,6 +13,9 @@ struct GivenDifference {
     Vec3d first{0}, second{0};
 };
 
+/// Whether the coefficients of the rays that go on were calculated in both runs.
+[[nodiscard]] bool has_calculated_shares(const TracedRay& a, const TracedRay& b);
+
 /// Between two runs of a ray that end alike.
 [[nodiscard]] std::optional<GivenDifference> first_given_difference(const TracedRay& a, const TracedRay& b);
 

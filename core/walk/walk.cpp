@@ -61,6 +61,7 @@ std::optional<int> event_of(const Trace& trace, const TracedRay& ray, const Diff
         return total ? total : event_of<Refracted>(ray);
     }
     case Answer::followed:
+    case Answer::share:
     case Answer::direction: return way_on(ray, difference.next);
     case Answer::visibility: return event_of<RayFinished>(ray);
     default: return 0;

@@ -103,6 +103,25 @@ TEST(Divergence, WhatTheSceneGivesIsAnAnswer) {
               "the coefficient of the reflected ray");
 }
 
+// Fresnel's shares, absorption and what follows from them are calculated: other numbers give other last digits.
+TEST(Divergence, CalculatedSharesMayDifferByWhatPrecisionExplains) {
+    Trace first = simple();
+    event<Reflected>(first, 0).coefficient = Colour{0.25};
+    first.rays[0].events.push_back(FresnelShared{0.3, 0.2, 0.24, 0.25, 0});
+    event<RaySpawned>(first, 2).weight = Colour{0.25};
+    const auto with_share = [&](double share) {
+        Trace other = first;
+        event<Reflected>(other, 0).coefficient = Colour{share};
+        event<RaySpawned>(other, 2).weight = Colour{share};
+        return compare(first, other, in_double, in_float).divergence;
+    };
+    EXPECT_FALSE(with_share(0.25 * (1 + 2e-7)));
+    const auto wrong = with_share(0.26);
+    ASSERT_TRUE(wrong);
+    EXPECT_EQ(wrong->answer, Answer::share);
+    EXPECT_EQ(wrong->next, RayKind::reflected);
+}
+
 TEST(Divergence, EqualTracesHaveNone) {
     const Comparison comparison = compared([](Trace&) {});
     EXPECT_FALSE(comparison.divergence);

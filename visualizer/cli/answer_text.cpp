@@ -91,6 +91,9 @@ std::string question_text(const Trace& first, const Trace& second, const Differe
     case Answer::followed: return std::string("whether a ") + name_of(difference.next) + " ray follows";
     case Answer::given: return std::string(difference.what) + (light.empty() ? "" : " of ") + light;
     case Answer::weight: return "the ray's weight";
+    case Answer::share:
+        return difference.next == RayKind::reflected ? "the share of the light that is mirrored"
+                                                     : "the share of the light that goes through";
     case Answer::origin: return "the ray's origin";
     case Answer::direction:
         return difference.next == RayKind::reflected || difference.next == RayKind::refracted

@@ -82,7 +82,7 @@ private:
         page_.item("difference", text);
         if (difference.answer == Answer::normal)
             page_.item("explained", "not judged: nothing is recorded that bounds a normal");
-        else if (difference.answer != Answer::weight)
+        else
             page_.item("explained", "at most " + number(difference.explained) +
                                         ", by rounding and by what the step began with");
     }
