@@ -29,17 +29,16 @@ Polygon<N>::Polygon(std::vector<Vec3<T>> vertices, std::vector<Vec3<T>> normals)
 
 template <Numbers N> auto Polygon<N>::intervals(const Ray<T>& ray, int leaving) const -> Intervals<T> {
     Intervals<T> found;
-    const T slope = dot(normal_, ray.direction);
-    if (slope == T(0) || leaving == 0) return found; // a line meets a plane once
-    const T t = dot(normal_, vertices_.front() - ray.origin) / slope;
-    if (!is_finite(t)) return found;
-    bool inside = false;
-    if constexpr (is_textbook<N>)
-        inside = encloses_in_projection(ray.at(t));
-    else
-        inside = encloses(ray);
-    if (inside) found.append({t, t, 0, 0});
+    if (leaving == 0) return found; // a line meets a plane once
+    const T t = plane_crossing(ray);
+    if (is_finite(t) && encloses(ray, t)) found.append({t, t, 0, 0});
     return found;
+}
+
+template <Numbers N>
+auto Polygon<N>::closest(const Ray<T>& ray, const Range<T>& range) const -> std::optional<T> {
+    const T t = plane_crossing(ray);
+    return range.contains(t) && is_finite(t) && encloses(ray, t) ? std::optional(t) : std::nullopt;
 }
 
 // The schoolbook's: the point on the plane, already rounded, against the outline without the normal's largest
@@ -60,7 +59,8 @@ template <Numbers N> bool Polygon<N>::encloses_in_projection(const Vec3<T>& p) c
 }
 
 // An even-odd count of the edges to one side of the ray.
-template <Numbers N> bool Polygon<N>::encloses(const Ray<T>& ray) const {
+template <Numbers N> bool Polygon<N>::encloses(const Ray<T>& ray, [[maybe_unused]] T t) const {
+    if constexpr (is_textbook<N>) return encloses_in_projection(ray.at(t));
     const OutlineView<T> view(ray);
     bool inside = false;
     auto a = view.corner(vertices_.back());

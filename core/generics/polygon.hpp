@@ -7,6 +7,7 @@
 #include "core/math/numbers.hpp"
 #include "core/math/ray.hpp"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,9 @@ public:
     /// One crossing without length, where the line meets the plane within the outline.
     [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray, int leaving = no_face) const;
 
+    /// t of that crossing, if it lies in the range: elsewhere the outline is not asked.
+    [[nodiscard]] std::optional<T> closest(const Ray<T>& ray, const Range<T>& range) const;
+
     [[nodiscard]] Vec3<T> normal(const Vec3<T>& /*p*/, int /*face*/) const { return normal_; }
     /// Where the corners have normals: interpolated at p of the outline; elsewhere the polygon's own. Not unit.
     [[nodiscard]] Vec3<T> shading_normal(const Vec3<T>& p) const;
@@ -41,7 +45,13 @@ public:
     [[nodiscard]] bool smooth() const { return !normals_.empty(); }
 
 private:
-    [[nodiscard]] bool encloses(const Ray<T>& ray) const;
+    /// Where the line meets the plane; not finite where it does not.
+    [[nodiscard]] T plane_crossing(const Ray<T>& ray) const {
+        const T slope = dot(normal_, ray.direction);
+        return slope == T(0) ? infinity<T> : dot(normal_, vertices_.front() - ray.origin) / slope;
+    }
+    /// Whether the line meets the plane, at this t, within the outline.
+    [[nodiscard]] bool encloses(const Ray<T>& ray, T t) const;
     [[nodiscard]] bool encloses_in_projection(const Vec3<T>& p) const;
 
     std::vector<Vec3<T>> vertices_, normals_;

@@ -53,7 +53,7 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     const Vec3<T> n = std::visit([&](const auto& s) { return s.normal(p, face); }, solid.shape);
     const T size = dot(n, n);
     if (!(size > T(0))) return as<double>(p);
-    return as<double>(p - n * (T(4) * solid.surface_distance(ray, t, n) / size));
+    return as<double>(p - n * (T(4) * solid.surface_distance(solid.point_error(ray, t), n) / size));
 }
 
 /// The medium's share of light that a shadow ray loses from its start to `distance`: of each stretch in an absorbing

@@ -38,7 +38,8 @@ public:
     [[nodiscard]] Colour trace(const Ray<T>& ray) { return trace(ray, {RayKind::eye, none, none, none}, 0); }
     /// @param sample of which pixel the ray is which sample
     [[nodiscard]] Colour trace(const Ray<T>& ray, const SampleAddress& sample) {
-        return trace(ray, {RayKind::eye, sample.x, sample.y, none}, all_effects ? sample.seed() : 0);
+        const bool needs_seed = all_effects && world_.effects == EffectMask::all;
+        return trace(ray, {RayKind::eye, sample.x, sample.y, none}, needs_seed ? sample.seed() : 0);
     }
 
     [[nodiscard]] const Order& order() const { return order_; }

@@ -55,10 +55,9 @@ template <Numbers N> struct Solid {
     [[nodiscard]] T error_bound(const Ray<T>& ray, T t, int face, T off = T(0)) const {
         if (is_textbook<N> || !is_finite(t)) return T(0);
         const Ray<T> moved = transform.to_object(ray);
-        const Vec3<T> p = moved.at(t);
+        const Vec3<T> p = moved.at(t), error = point_error(ray, t);
         return std::visit(
-            [&](const auto& s) { return bound_at(s, ray, moved, t, p, s.normal(p, face), face, off); },
-            shape);
+            [&](const auto& s) { return bound_at(s, moved, p, error, s.normal(p, face), face, off); }, shape);
     }
 
     /// Both at once, of a crossing at a finite t.
@@ -68,7 +67,7 @@ template <Numbers N> struct Solid {
     };
     [[nodiscard]] Place place(const Ray<T>& ray, T t, int face) const {
         const Ray<T> moved = transform.to_object(ray);
-        const Vec3<T> p = moved.at(t);
+        const Vec3<T> p = moved.at(t), error = is_textbook<N> ? p : point_error(ray, t);
         return std::visit(
             [&](const auto& s) -> Place {
                 const Vec3<T> n = s.normal(p, face);
@@ -76,7 +75,7 @@ template <Numbers N> struct Solid {
                 if constexpr (is_textbook<N>)
                     return {unit, T(0)};
                 else
-                    return {unit, bound_at(s, ray, moved, t, p, n, face, T(0))};
+                    return {unit, bound_at(s, moved, p, error, n, face, T(0))};
             },
             shape);
     }
@@ -89,7 +88,7 @@ template <Numbers N> struct Solid {
         return std::visit(
             [&](const auto& s) {
                 const Vec3<T> n = s.normal(moved.origin, face);
-                const T limit = moved_off(n, off) + surface_distance(ray, t, n);
+                const T limit = moved_off(n, off) + surface_distance(point_error(ray, t), n);
                 return face_distance(s, moved.at(t / T(2)), face) * length(n) <= T(2) * limit;
             },
             shape);
@@ -99,6 +98,10 @@ template <Numbers N> struct Solid {
     [[nodiscard]] std::optional<Crossing<T>> closest(const Ray<T>& ray, const Range<T>& range,
                                                      std::uint32_t index) const {
         if (std::holds_alternative<Mesh<N>>(shape)) return closest_of_mesh(ray, range, index);
+        if (const auto* polygon = std::get_if<Polygon<N>>(&shape)) {
+            const auto t = polygon->closest(transform.to_object(ray), range);
+            return t ? std::optional(Crossing<T>{*t, {index, 0, false}, true}) : std::nullopt;
+        }
         for (const Interval<T>& inside : intervals(ray)) {
             if (range.contains(inside.enter))
                 return Crossing<T>{inside.enter, {index, std::int32_t(inside.enter_face), false}, true};
@@ -126,17 +129,20 @@ template <Numbers N> struct Solid {
         return off * magnitude(dot(normal, transform.vector_to_object(transform.normal_to_world(normal))));
     }
 
+    /// e above.
+    [[nodiscard]] Vec3<T> point_error(const Ray<T>& ray, T t) const {
+        return T(4) * epsilon<T> * transform.point_error(ray, t);
+    }
     /// Size of δ above: how far, in object space along the normal, the computed crossing can lie from the surface, times the
     /// length of the normal. At a cone's apex that vanishes: what then moves the form (x² + y² − w²) / 2 is e² / 2.
-    [[nodiscard]] T surface_distance(const Ray<T>& ray, T t, const Vec3<T>& normal) const {
-        const Vec3<T> e = T(4) * epsilon<T> * transform.point_error(ray, t);
+    [[nodiscard]] static T surface_distance(const Vec3<T>& e, const Vec3<T>& normal) {
         return fma(dot(e, e), T(0.5), dot(absolute(normal), e));
     }
 
 private:
-    // error_bound where the object-space ray, its point p at t and the normal there are known.
+    // error_bound where the object-space ray, its point p at t with its error, and the normal there are known.
     template <typename Shape>
-    [[nodiscard]] T bound_at(const Shape& s, const Ray<T>& ray, const Ray<T>& moved, T t, const Vec3<T>& p,
+    [[nodiscard]] T bound_at(const Shape& s, const Ray<T>& moved, const Vec3<T>& p, const Vec3<T>& error,
                              const Vec3<T>& n, int face, T off) const;
 };
 
@@ -153,12 +159,12 @@ template <Scalar T> [[nodiscard]] inline T root_shift(T delta, T slope, T curvat
 
 template <Numbers N>
 template <typename Shape>
-auto Solid<N>::bound_at(const Shape& s, const Ray<T>& ray, const Ray<T>& moved, T t, const Vec3<T>& p,
+auto Solid<N>::bound_at(const Shape& s, const Ray<T>& moved, const Vec3<T>& p, const Vec3<T>& error,
                         const Vec3<T>& n, int face, T off) const -> T {
     // All of it scales with the normal's length, so that it need not be 1.
     T curvature = s.curvature(p, moved.direction, face);
     if (curvature > T(0)) curvature *= sqrt(dot(n, n));
-    T delta = surface_distance(ray, t, n) + moved_off(n, off);
+    T delta = surface_distance(error, n) + moved_off(n, off);
     if constexpr (is_mesh<Shape>) delta += s.tilt(p, face);
     return root_shift(delta, dot(n, moved.direction), curvature);
 }

@@ -36,7 +36,7 @@ bool hugs(const Solid<double>& solid, const Ray<double>& ray, const LeavingSurfa
     const double scale = length(n);
     const double off =
         start.bound * std::abs(dot(n, solid.transform.vector_to_object(solid.transform.normal_to_world(n))));
-    const double limit = times * (off + solid.surface_distance(ray, t, n)) / scale;
+    const double limit = times * (off + solid.surface_distance(solid.point_error(ray, t), n)) / scale;
     constexpr int places = 8;
     for (int i = 1; i <= places; ++i)
         if (std::abs(implicit_value(solid.shape, moved.at(t * i / places))) > limit) return false;
