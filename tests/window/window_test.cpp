@@ -40,6 +40,24 @@ bool is_near(const json& pixel, int x, int y) {
     return std::abs(pixel.at(0).get<int>() - x) <= 2 && std::abs(pixel.at(1).get<int>() - y) <= 2;
 }
 
+TEST_F(Window, what_find_finds_is_an_overlay_until_the_scene_changes) {
+    const Reports reports = run_window(screen, "prism",
+                                       "type find tir && depth >= 3\n"
+                                       "pick 10 10\n"
+                                       "heat 0\n"
+                                       "heat 8\n"
+                                       "type find depth > 200\n"
+                                       "open bubble\n");
+    const auto shown = [&](std::size_t i) { return reports.lines.at(i).at("found_shown").get<int>(); };
+    ASSERT_EQ(reports.lines.size(), 6U) << reports.outcome.err;
+    EXPECT_GT(shown(0), 0);
+    EXPECT_EQ(shown(1), shown(0)) << "another pixel's ray";
+    EXPECT_EQ(shown(2), 0) << "the image as it is";
+    EXPECT_EQ(shown(3), shown(0)) << "and back";
+    EXPECT_EQ(shown(4), 0) << "nothing was found";
+    EXPECT_EQ(shown(5), 0);
+}
+
 TEST_F(Window, keys_move_as_the_terminal_does_and_every_number_is_the_same) {
     const std::vector<std::pair<std::string, std::string>> moves{{"N", "next"},
                                                                  {"S", "step"},

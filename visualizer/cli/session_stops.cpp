@@ -147,8 +147,11 @@ std::string Session::find(const std::string& text) {
         options.render.progress = [&](double share) { progress.show(share); };
         result = rayscope::find(bench_.scene, bench_.world, condition, options);
     }
-    return find_text(bench_, condition, result, options, 12, style_) +
-           (result.pixels > 0 ? "pixel X,Y goes to one of them.\n" : "");
+    const std::string said = find_text(bench_, condition, result, options, 12, style_);
+    found_.reset();
+    if (result.pixels == 0) return said;
+    found_ = {text, std::move(result.events), result.pixels};
+    return said + "pixel X,Y goes to one of them.\n";
 }
 
 std::string Session::compare(const std::string& what) {

@@ -14,6 +14,19 @@ namespace rayscope::window {
 namespace {
 
 constexpr double most_zoom = 64;
+constexpr int most_ringed = 200; // pixels: more are seen without
+
+/// A line of text in the lower left corner, legible on any image, with room for `more` lines beneath.
+QRect draw_caption(QPainter& painter, const QString& text, const QRect& within, int width = 0, int more = 0) {
+    const QFontMetrics metrics(painter.font());
+    const int line = metrics.height(), wide = std::max(metrics.horizontalAdvance(text), width);
+    const int high = (1 + more) * line + 6 + 4 * more;
+    const QRect box(within.left() + 6, within.bottom() - high - 4, wide + 12, high);
+    painter.fillRect(box, QColor(255, 255, 255, 225));
+    painter.setPen(qt_colour(drawing::ink));
+    painter.drawText(box.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignLeft, text);
+    return box;
+}
 
 /// What a heat map's colours mean.
 void draw_scale(QPainter& painter, const MadeImage& image, const QRect& within) {
@@ -21,12 +34,8 @@ void draw_scale(QPainter& painter, const MadeImage& image, const QRect& within) 
     const QString most = QString::fromStdString(drawing::number(image.most, 3));
     const QFontMetrics metrics(painter.font());
     const int line = metrics.height(), bar = 110;
-    const int wide =
-        std::max(metrics.horizontalAdvance(name), bar + metrics.horizontalAdvance("0" + most) + 16);
-    const QRect box(within.left() + 6, within.bottom() - 2 * line - 14, wide + 12, 2 * line + 10);
-    painter.fillRect(box, QColor(255, 255, 255, 225));
-    painter.setPen(qt_colour(drawing::ink));
-    painter.drawText(box.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignLeft, name);
+    const int wide = bar + metrics.horizontalAdvance("0" + most) + 16;
+    const QRect box = draw_caption(painter, name, within, wide, 1);
     int x = box.left() + 6;
     const int y = box.top() + 5 + line;
     painter.drawText(QRect(x, y, 20, line), Qt::AlignLeft, "0");
@@ -34,6 +43,14 @@ void draw_scale(QPainter& painter, const MadeImage& image, const QRect& within) 
     for (int i = 0; i < bar; ++i)
         painter.fillRect(x + i, y + 2, 1, line - 4, qt_colour(drawing::heat_colour((i + 0.5) / bar)));
     painter.drawText(QRect(x + bar + 6, y, wide, line), Qt::AlignLeft, most);
+}
+
+QImage veil_over(const Map& events) {
+    QImage veil(events.width, events.height, QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < events.height; ++y)
+        for (int x = 0; x < events.width; ++x)
+            veil.setPixel(x, y, events.at(x, y) > 0 ? qRgba(0, 0, 0, 0) : qRgba(180, 180, 180, 190));
+    return veil;
 }
 
 } // namespace
@@ -57,6 +74,30 @@ void ImageView::show_image(const MadeImage& image) {
 void ImageView::mark(std::optional<QPoint> pixel) {
     pixel_ = pixel;
     update();
+}
+
+void ImageView::show_found(const std::optional<cli::FoundPixels>& found) {
+    found_ = found;
+    veil_ = found ? veil_over(found->events) : QImage();
+    update();
+}
+
+void ImageView::draw_found(QPainter& painter, const QRectF& area) const {
+    painter.drawImage(area, veil_);
+    const Map& events = found_->events;
+    const double pixel = area.width() / events.width, radius = std::max(pixel, 6.0);
+    painter.setPen(QPen(QColor(0xC0, 0x40, 0x00), 1.6));
+    for (int y = 0; y < events.height && found_->pixels <= most_ringed; ++y)
+        for (int x = 0; x < events.width; ++x)
+            if (events.at(x, y) > 0)
+                painter.drawEllipse(QPointF(area.left() + (x + .5) * pixel, area.top() + (y + .5) * pixel),
+                                    radius, radius);
+    draw_caption(painter,
+                 QString("%1 %2 found: %3")
+                     .arg(found_->pixels)
+                     .arg(found_->pixels == 1 ? "pixel" : "pixels")
+                     .arg(QString::fromStdString(found_->condition)),
+                 rect());
 }
 
 void ImageView::fit() {
@@ -96,6 +137,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform, pixel < 2);
     painter.drawImage(a, image_.picture);
     if (image_.heat) draw_scale(painter, image_, rect());
+    if (found_) draw_found(painter, a);
     if (!pixel_) return;
     const QRectF square(a.left() + pixel_->x() * pixel, a.top() + pixel_->y() * pixel, pixel, pixel);
     const double half = std::max(pixel / 2, 4.0);

@@ -109,6 +109,7 @@ bool MainWindow::command(const std::string& line) {
     else
         say({});
     show_stops();
+    if (reply.command == "find") desk.session().found() ? show_found() : forget_found();
     last_milliseconds_ =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return reply.ok;
@@ -123,7 +124,8 @@ bool MainWindow::is_asked() {
 
 void MainWindow::make_image() {
     const int index = overlay_.currentIndex();
-    maker_.make(desk.bench(), index > 0 ? std::optional(Heat(index - 1)) : std::nullopt);
+    const bool heat = index > 0 && !shows_found();
+    maker_.make(desk.bench(), heat ? std::optional(Heat(index - 1)) : std::nullopt);
 }
 
 bool MainWindow::complete() const {

@@ -92,6 +92,9 @@ private:
     /// A window of its own with a page of text.
     void show_page(const char* name, const QString& title, const QString& text);
     void show_stops();
+    void show_found(); ///< as the last of the image's overlays
+    void forget_found();
+    [[nodiscard]] bool shows_found() const;
     bool may_leave(); ///< changes are saved, or not wanted
 
     [[nodiscard]] double least_weight() const; ///< of the rays that are shown

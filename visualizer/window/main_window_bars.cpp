@@ -93,10 +93,13 @@ void MainWindow::make_options() {
         overlay_.addItem(QString::fromUtf8(heat.name.data()));
         overlay_.setItemData(overlay_.count() - 1, QString::fromUtf8(heat.meaning.data()), Qt::ToolTipRole);
     }
-    overlay_.setToolTip("The image, or what each of its pixels costs");
+    overlay_.setToolTip(
+        "The image, or what each of its pixels costs; after find (Ctrl+F), also what it found");
     overlay_.setFocusPolicy(Qt::ClickFocus);
-    QObject::connect(&overlay_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-                     [this] { make_image(); });
+    QObject::connect(&overlay_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
+        image.show_found(shows_found() ? desk.session().found() : std::nullopt);
+        make_image();
+    });
     bar->addWidget(&overlay_);
     bar->addSeparator();
     bar->addWidget(new QLabel(" Hits by "));
@@ -146,6 +149,20 @@ void MainWindow::play(bool on) {
 }
 
 void MainWindow::choose_heat(int index) { overlay_.setCurrentIndex(index); }
+
+bool MainWindow::shows_found() const { return overlay_.currentIndex() > int(heat_names.size()); }
+
+void MainWindow::show_found() {
+    const int entry = int(heat_names.size()) + 1;
+    if (overlay_.count() == entry) overlay_.addItem("what was found");
+    image.show_found(desk.session().found());
+    overlay_.setCurrentIndex(entry);
+}
+
+void MainWindow::forget_found() {
+    if (shows_found()) overlay_.setCurrentIndex(0);
+    overlay_.removeItem(int(heat_names.size()) + 1); // if it is there
+}
 
 void MainWindow::choose_stage(const std::string& stage) {
     const int index = stage_.findText(QString::fromStdString(stage));

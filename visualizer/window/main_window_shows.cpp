@@ -44,6 +44,7 @@ void MainWindow::scene_changed() {
 
 void MainWindow::trace_changed() {
     known_.reset();
+    if (!desk.session().found()) forget_found();
     if (desk.session().quizzing()) known_ = known_part(desk.walk());
     const Trace& trace = shown();
     space.show_trace(desk.bench(), trace, desk.ray(), frame_next_);

@@ -71,6 +71,7 @@ std::string report_of(MainWindow& window, const std::string& line, bool ok) {
         {"left_out", window.tree.left_out()},
         {"not_followed", window.tree.not_followed()},
         {"stops", text_of(window.stops())},
+        {"found_shown", window.image.found_shown()},
         {"place", text_of(window.place())},
         {"pixel_text", text_of(window.pixel())},
         {"octree", octree_json(window)},
