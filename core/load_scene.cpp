@@ -29,6 +29,12 @@ std::string names_of(const EffectSet& some, const EffectSet& others) {
     return names;
 }
 
+constexpr std::size_t longest_file = std::size_t(1) << 30U;
+
+template <typename Element> void add_elements(Fnv1a& hash, const std::vector<Element>& list) {
+    hash.add(list.data(), list.size() * sizeof(Element));
+}
+
 // For experiments: not what the scene calls for.
 Scene with_chosen_effects(Scene scene, const std::optional<std::string>& text) {
     const EffectSet needed = needed_effects(effect_needs(scene, build(scene)));
@@ -51,8 +57,23 @@ Scene load_scene(const std::filesystem::path& path, const std::optional<std::str
 }
 
 std::string content_hash(const std::filesystem::path& path) {
-    const std::string text = read_file(path, std::size_t(1) << 30U);
+    const std::string text = read_file(path, longest_file);
     return fmt::format("{:016x}", Fnv1a().add(text.data(), text.size()).value());
+}
+
+std::string content_hash(const std::filesystem::path& path, const Scene& scene) {
+    const std::string text = read_file(path, longest_file);
+    Fnv1a hash;
+    hash.add(text.data(), text.size());
+    for (const SceneGeneric& generic : scene.generics)
+        if (const auto* mesh = std::get_if<Mesh<double>>(&generic.shape)) {
+            const MeshData& data = mesh->triangles().data();
+            add_elements(hash, data.positions);
+            add_elements(hash, data.triangles);
+            add_elements(hash, data.normals);
+            add_elements(hash, data.triangle_normals);
+        }
+    return fmt::format("{:016x}", hash.value());
 }
 
 } // namespace rayscope

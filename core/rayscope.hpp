@@ -77,6 +77,8 @@ struct Workbench {
 
 /// 16 hexadecimal digits that change with the file's bytes. Throws InputError where it can't be read.
 [[nodiscard]] std::string content_hash(const std::filesystem::path& path);
+/// … and with the meshes that the scene in it takes from other files.
+[[nodiscard]] std::string content_hash(const std::filesystem::path& path, const Scene& scene);
 
 /// The sample of pixel (x, y), traced again with everything recorded: its colour is the image's, bit for bit.
 /// width × height: of the image that the pixel belongs to; 0: the scene's.

@@ -1,5 +1,6 @@
 #include "core/accuracy/light_bound.hpp"
 #include "core/accuracy/measure.hpp"
+#include "core/rayscope.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -119,6 +120,21 @@ TEST(Reference, a_spoilt_file_in_the_cache_is_replaced) {
     EXPECT_EQ(again.samples[50].colour, whole.samples[50].colour);
     EXPECT_EQ(again.samples[29].colour, whole.samples[29].colour);
     EXPECT_EQ(again.samples[30].colour, whole.samples[30].colour);
+}
+
+// Else a reference in the cache would be taken for that of another shape.
+TEST(ContentHash, changes_with_a_mesh_that_the_scene_takes_from_another_file) {
+    const TemporaryFolder folder;
+    const auto scene = folder.path() / "scene.toml", mesh = folder.path() / "part.obj";
+    std::ofstream(scene) << "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\n\n[materials.m]\ndiffuse = 1\n\n"
+                            "[generics.part]\nshape = \"mesh\"\nfile = \"part.obj\"\nmaterial = \"m\"\n";
+    const auto hash_with = [&](const char* corner) {
+        std::ofstream(mesh) << "v 0 0 0\nv 1 0 0\nv " << corner << "\nf 1 2 3\n";
+        return content_hash(scene, open(scene).scene);
+    };
+    const std::string first = hash_with("0 1 0");
+    EXPECT_NE(hash_with("0 1 0.25"), first);
+    EXPECT_EQ(hash_with("0 1 0"), first);
 }
 
 TEST(LightBound, is_that_of_a_furnace) {

@@ -70,7 +70,7 @@ private:
         options.limits.max_rays = options_.reference_rays;
         options.threads = options_.threads;
         options.cache = cache_folder();
-        options.identity = content_hash(path_);
+        options.identity = content_hash(path_, scene_);
         options.stop = &stop_asked_for;
         Reference result;
         {
