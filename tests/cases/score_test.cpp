@@ -36,25 +36,35 @@ public:
     }
 };
 
-const std::vector<FamilyScores>& shipped_scores() {
-    static const auto scores = score_folder(shipped());
+/// Of a few families that are hard for the schoolbook.
+const std::vector<FamilyScores>& few_scores() {
+    static const auto scores = [] {
+        const TemporaryFolder folder;
+        for (const char* family : {"sphere_grazing", "sphere_grazing_f32", "torus_top_quad", "cone_apex",
+                                   "refr_exact_critical", "csg_flush_caps"})
+            std::filesystem::copy(shipped() / (std::string(family) + ".jsonl"), folder.path());
+        return score_folder(folder.path());
+    }();
     return scores;
 }
 
 class Stable : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Stable, GetsNothingWrong) {
+    const NumbersChoice numbers = all_numbers[GetParam()];
     int decidable = 0;
-    for (const FamilyScores& row : shipped_scores()) {
-        if (!row.scores[GetParam()]) continue;
-        const Score& score = *row.scores[GetParam()];
-        decidable += score.decidable;
-        EXPECT_EQ(score.wrong, 0) << row.family;
+    for (const CaseFile& file : case_files(shipped())) {
+        const bool about_float = file.epsilon == double(epsilon<float>);
+        if (about_float != (numbers.scalar == ScalarType::float32)) continue;
+        const auto found = score(file, numbers);
+        if (!found) continue;
+        decidable += found->decidable;
+        EXPECT_EQ(found->wrong, 0) << file.family;
         // The reference type has no wider one to invert a matrix in: it may lose a digit to the matrix's condition.
         if (GetParam() == float128_stable)
-            EXPECT_FALSE(score.digits_lost > 1) << row.family;
+            EXPECT_FALSE(found->digits_lost > 1) << file.family;
         else
-            EXPECT_EQ(score.off, 0) << row.family;
+            EXPECT_EQ(found->off, 0) << file.family;
     }
     EXPECT_GT(decidable, 900);
 }
@@ -68,9 +78,9 @@ INSTANTIATE_TEST_SUITE_P(, Stable,
 
 TEST(Score, TheSchoolbookLosesDigitsAndRays) {
     int wrong = 0;
-    for (const FamilyScores& row : shipped_scores())
+    for (const FamilyScores& row : few_scores())
         if (row.scores[double_textbook]) wrong += row.scores[double_textbook]->wrong;
-    EXPECT_GT(wrong, 50);
+    EXPECT_GT(wrong, 10);
 }
 
 TEST(Score, CountsAWrongNumberOfHits) {
@@ -105,7 +115,7 @@ TEST(Score, MeasuresHowFarAHitIsOff) {
 }
 
 TEST(Score, FloatIsJudgedOnItsOwnInputs) {
-    for (const FamilyScores& row : shipped_scores()) {
+    for (const FamilyScores& row : few_scores()) {
         EXPECT_FALSE(row.family.ends_with("_f32"));
         if (row.family != "sphere_grazing") continue;
         EXPECT_EQ(row.scores[float_stable]->decidable, 18);
@@ -134,14 +144,14 @@ TEST(Score, ABrokenProgramIsRefusedWithItsLine) {
 }
 
 TEST(Score, JsonHoldsWhatTheTableShows) {
-    const auto json = nlohmann::json::parse(scores_json(shipped_scores()));
+    const auto json = nlohmann::json::parse(scores_json(few_scores()));
     EXPECT_EQ(json["format"], "rayscope-cases");
     int stable_wrong = 0, textbook_wrong = 0;
     for (const auto& row : json["scores"])
         (row["method"] == "stable" ? stable_wrong : textbook_wrong) += row["wrong"].get<int>();
     EXPECT_EQ(stable_wrong, 0);
-    EXPECT_GT(textbook_wrong, 100);
-    const std::string table = scores_table(shipped_scores());
+    EXPECT_GT(textbook_wrong, 30);
+    const std::string table = scores_table(few_scores());
     EXPECT_THAT(table, testing::HasSubstr("torus_top_quad"));
     EXPECT_THAT(table, testing::HasSubstr("double: textbook"));
 }
