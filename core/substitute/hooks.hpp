@@ -56,9 +56,9 @@ template <>
                                                                       double speed_from, double speed_to) {
     const Formulas& formulas = *formulas_in_use().formulas;
     if (!formulas.fresnel) return fresnel<double>(bent, speed_from, speed_to);
-    const double share = formulas.fresnel(speed_from, speed_to, bent.cosine);
-    return share < epsilon<double> ? Reflectance<double>{0, 0}
-                                   : Reflectance<double>{share, share}; // rounding alone
+    const double reflected = formulas.fresnel(speed_from, speed_to, bent.cosine);
+    return reflected < epsilon<double> ? Reflectance<double>{0, 0}
+                                       : Reflectance<double>{reflected, reflected}; // rounding alone
 }
 
 template <> void reconsider_wall<Substituted>(const World<Substituted>& world, Interaction<Substituted>& at);

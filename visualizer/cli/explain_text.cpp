@@ -16,7 +16,7 @@ std::string reason_text(const EffectNeed& need) {
 
 std::string rays_text(std::int64_t count) { return fmt::format("{}{}", count > 0 ? "+" : "", count); }
 
-std::string refusal_text(Reason reason) {
+std::string limit_text(Reason reason) {
     switch (reason) {
     case Reason::depth: return "deeper than max_depth";
     case Reason::weight: return "below min_weight";
@@ -119,7 +119,7 @@ void add_ledger(Page& page, const Ledger& ledger, const std::function<std::strin
         any = true;
         page.item(name_of(key.first), fmt::format("{} {} {}, with a weight of {} of a pixel", dropped.count,
                                                   dropped.count == 1 ? "ray" : "rays",
-                                                  refusal_text(key.second), number(dropped.weight)));
+                                                  limit_text(key.second), number(dropped.weight)));
     }
     if (!any) page.line("nothing: every ray with a weight was followed", 2);
 }
