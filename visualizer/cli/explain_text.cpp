@@ -118,8 +118,8 @@ void add_ledger(Page& page, const Ledger& ledger, const std::function<std::strin
         if (key.second == Reason::coefficient_zero) continue;
         any = true;
         page.item(name_of(key.first), fmt::format("{} {} {}, with a weight of {} of a pixel", dropped.count,
-                                                  dropped.count == 1 ? "ray" : "rays",
-                                                  limit_text(key.second), number(dropped.weight)));
+                                                  dropped.count == 1 ? "ray" : "rays", limit_text(key.second),
+                                                  number(dropped.weight)));
     }
     if (!any) page.line("nothing: every ray with a weight was followed", 2);
 }
