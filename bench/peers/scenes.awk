@@ -1,6 +1,8 @@
-# Scenes that any number of objects can be asked of: awk -v kind=flake|bowls -v n=N -f scenes.awk
+# Scenes that any number of objects can be asked of: awk -v kind=flake|bowls|lenses|rings -v n=N -f scenes.awk
 # flake: Haines' sphereflake of depth n, 1 + 9 + … spheres (balls of the Standard Procedural Databases), as NFF.
 # bowls: n × n bowls (outer − inner) − cone on a floor, as TOML.
+# lenses: n lenses, each what two spheres share, one behind the other over a chequered floor, as TOML.
+# rings: a pyramid of n steps of rings, each 30 spheres joined by 30 cylinders: 4,200 of both for n=7, as NFF.
 
 # Nine children around each ball: six on its equator, three above; `d` is its axis, `e` and `f` complete a frame.
 function ball(level, x, y, z, r, dx, dy, dz,    l, ex, ey, ez, fx, fy, fz, i, a, s, c, h, cx, cy, cz, q) {
@@ -42,8 +44,41 @@ function bowls(    size, i, j) {
                    "transform=[{translate=[%g,0,%g]}]\n", i, j, (i - (n - 1) / 2) * 2.4, (j - (n - 1) / 2) * 2.4
 }
 
+function lenses(    i) {
+    print "[camera]\neye=[0,2.2,9]\nlook_at=[0,1.2,0]\nfield_of_view=40\nresolution=[512,512]"
+    print "[limits]\nmax_depth=10\nmin_weight=0\n[scene]\nbackground=[0.4,0.5,0.7]"
+    print "[lights.lamp]\nposition=[-4,8,6]\n[lights.other]\nposition=[5,6,3]\ncolour=0.4"
+    print "[materials.floor]\nambient=0.07\ndiffuse=0.56"
+    print "[materials.glass]\ndiffuse=0.05\nspecular=0.3\nshininess=40\nreflection=0.1\ntransmission=0.9\nindex=1.5"
+    print "[generics.floor]\nshape=\"plane\"\nmaterial=\"floor\"\ntransform=[{rotate_x=-90}]"
+    print "[generics.upper]\nshape=\"sphere\"\ntransform=[{scale=1.8},{translate=[0,1.5,0]}]"
+    print "[generics.lower]\nshape=\"sphere\"\ntransform=[{scale=1.8},{translate=[0,-1.5,0]}]"
+    for (i = 0; i < n; ++i)
+        printf "[compounds.lens_%d]\nis=\"upper & lower\"\nmaterial=\"glass\"\n" \
+               "transform=[{rotate_x=90},{translate=[%g,%g,%g]}]\n", i, (i % 4 - 1.5) * 2.1, 1.1 + int(i / 4) * 0.5, 2 - int(i / 4) * 3
+}
+
+function rings(    level, i, j, k, a, b, x, y, z) {
+    print "b 0.078 0.361 0.753\nv\nfrom 9 7 16\nat 0 -1.5 0\nup 0 1 0\nangle 40\nhither 0.01\nresolution 512 512"
+    print "l 10 12 8\nl -8 10 12\nl 2 14 -6\nf 0.9 0.75 0.4 0.7 0.3 10 0 1"
+    print "p 4\n-30 -6 30\n30 -6 30\n30 -6 -30\n-30 -6 -30\nf 0.8 0.8 0.9 0.45 0.45 40 0 1"
+    for (level = 1; level <= n; ++level)
+        for (i = 0; i < level; ++i)
+            for (j = 0; j < level; ++j) {
+                x = (i - (level - 1) / 2) * 1.6; y = 3 - level * 1.1; z = (j - (level - 1) / 2) * 1.6
+                for (k = 0; k < 30; ++k) {
+                    a = k * pi / 15; b = (k + 1) * pi / 15
+                    printf "s %.9g %.9g %.9g 0.08\n", x + 0.7 * cos(a), y + 0.15 * sin(3 * a), z + 0.7 * sin(a)
+                    printf "c\n%.9g %.9g %.9g 0.04\n%.9g %.9g %.9g 0.04\n", x + 0.7 * cos(a), y + 0.15 * sin(3 * a),
+                        z + 0.7 * sin(a), x + 0.7 * cos(b), y + 0.15 * sin(3 * b), z + 0.7 * sin(b)
+                }
+            }
+}
+
 BEGIN {
     pi = atan2(0, -1)
     if (kind == "flake") flake()
+    else if (kind == "lenses") lenses()
+    else if (kind == "rings") rings()
     else bowls()
 }

@@ -84,6 +84,18 @@ TEST(StepPicture, is_drawn_or_said_to_be_missing) {
     }
 }
 
+TEST(StepPicture, all_steps_are_pictures_with_numbers) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> command{"step",  "two_spheres", "--all-steps", "--png",
+                                           "a.png", "--size",      "480x320"};
+    const Outcome outcome = run_program(command, {folder.path()});
+    EXPECT_EQ(outcome.code, can_draw() ? 0 : 1) << outcome.err;
+    if (!can_draw()) return;
+    EXPECT_THAT(outcome.out, HasSubstr("pictures:\na-0.png\n"));
+    EXPECT_GT(folder.names().size(), 1U);
+    EXPECT_EQ(folder.names().front(), "a-0.png");
+}
+
 TEST(StepPicture, paraview_files_come_from_the_same_program) {
     const TemporaryFolder folder;
     const Outcome outcome = run_program({"trace", "two_spheres", "-o", "a.vtm"}, {folder.path()});

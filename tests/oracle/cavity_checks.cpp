@@ -4,6 +4,7 @@
 #include "core/reflection/mirror.hpp"
 #include "core/scene/build.hpp"
 #include "core/tracer/interaction.hpp"
+#include "tests/oracle/comparison.hpp"
 #include "tests/oracle/text.hpp"
 #include "tests/support/hex.hpp"
 #include "tests/support/scenes.hpp"
@@ -16,8 +17,6 @@ namespace {
 using Fault = std::optional<std::string>;
 
 using Long = long double;
-
-constexpr double K = 4; // tolerances are for K = 64
 
 World<double> mirror_cube() {
     SceneBuilder b;
@@ -44,7 +43,7 @@ Fault cavity_fault(const World<double>& world, const CavityCase& exact) {
         leaving = at.back;
     }
     if (walls != exact.wall_counts) return "bounces on other walls";
-    const double allowed = exact.tolerance * K / 64; // grows with the number of bounces
+    const double allowed = allowed_of(exact.tolerance); // grows with the number of bounces
     if (const double off = double(std::abs(path - Long(exact.length))); !(off <= allowed))
         return text("path off by ", hex(off), ", allowed are ", hex(allowed));
     if (const double off = largest_component(absolute(ray.origin - exact.end)); !(off <= allowed))

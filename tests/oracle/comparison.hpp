@@ -9,6 +9,9 @@
 
 namespace rayscope::test {
 
+/// The oracle states tolerances for inputs that are off by 64 ε; the core is to keep within 4.
+inline double allowed_of(double tolerance) { return tolerance * 4 / 64; }
+
 /// One end of a span, as the core found it.
 struct FoundEnd {
     double t = 0;

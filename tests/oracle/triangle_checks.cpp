@@ -1,5 +1,6 @@
 #include "tests/oracle/triangle_checks.hpp"
 
+#include "tests/oracle/comparison.hpp"
 #include "tests/oracle/text.hpp"
 #include "tests/support/hex.hpp"
 #include "tests/support/shapes.hpp"
@@ -10,8 +11,6 @@ namespace rayscope::test {
 namespace {
 
 using Fault = std::optional<std::string>;
-
-constexpr double K = 4; // tolerances are for K = 64
 
 // Its corners have the unit axes for normals: what is interpolated are the barycentric weights.
 Solid<double> solid_of(const ExactTriangle& triangle, const Mat4d& matrix) {
@@ -25,8 +24,9 @@ std::optional<double> hit(const Solid<double>& solid, const Ray<double>& ray) {
 }
 
 Fault fault_in_hit(const ExactTriangle& exact, const Solid<double>& solid, const Ray<double>& ray, double t) {
-    if (const double error = exact.t.distance(Float128(t)); !(error <= exact.tolerance * K / 64))
-        return text("t ", hex(t), " is off by ", hex(error), ", allowed are ", hex(exact.tolerance * K / 64));
+    if (const double error = exact.t.distance(Float128(t)); !(error <= allowed_of(exact.tolerance)))
+        return text("t ", hex(t), " is off by ", hex(error), ", allowed are ",
+                    hex(allowed_of(exact.tolerance)));
     const Vec3d weights =
         std::get<Polygon<double>>(solid.shape).shading_normal(solid.transform.to_object(ray).at(t));
     if (const double error = largest_component(absolute(weights - exact.weights));

@@ -33,6 +33,8 @@ CLI::App_p make_step(Texts& texts) {
     add_ray_options(command, texts);
     add_text(command, "--digits", texts.digits, "N", "significant digits of numbers, 1 to 17 (6)");
     add_text(command, "--png", texts.png, "FILE", "the picture's file (rayscope-step.png)");
+    command.add_flag("--all-steps", texts.all_steps,
+                     "a picture for each ray, with that ray in front: FILE-0.png, FILE-1.png, …");
     command.add_flag("--no-png", texts.no_png, "text only");
     add_text(command, "--size", texts.size, "WxH", "size of the picture (1280x720)");
     add_text(command, "--why", texts.why, "NAME",
@@ -96,7 +98,8 @@ CLI::App_p make_trace(Texts& texts) {
     CLI::App& command = *made;
     add_ray_options(command, texts);
     add_text(command, "-o", texts.output, "FILE",
-             "the file: .json; .html, a page to walk through it; .vtm for ParaView");
+             "the file: .json; .html, a page to walk through it; .webp, an animation of all rays; .vtm for "
+             "ParaView");
     command.footer("Example:\n  rayscope trace glass_bowl --ray 0,0.2,5,0,0,-1 -o ray.json\n");
     return made;
 }

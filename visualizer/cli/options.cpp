@@ -66,8 +66,10 @@ StepOptions step_options(const Texts& texts) {
     options.choice = ray_choice(texts);
     if (texts.digits) options.digits = parse_count("--digits", *texts.digits, 1, 17);
     options.no_picture = texts.no_png;
-    options.picture_asked_for = texts.png.has_value();
-    if (texts.no_png && options.picture_asked_for) throw UsageError("--png and --no-png exclude each other");
+    options.all_steps = texts.all_steps;
+    options.picture_asked_for = texts.png.has_value() || texts.all_steps;
+    if (texts.no_png && texts.png) throw UsageError("--png and --no-png exclude each other");
+    if (texts.no_png && texts.all_steps) throw UsageError("--all-steps and --no-png exclude each other");
     if (texts.png) options.picture = *texts.png;
     if (texts.size) options.size = parse_size(*texts.size);
     options.why = texts.why;
@@ -85,6 +87,8 @@ StepOptions step_options(const Texts& texts) {
     if (texts.compare && texts.why) throw UsageError("--compare and --why exclude each other");
     if (texts.compare && texts.png)
         throw UsageError("--compare draws no picture: --png has no meaning with it");
+    if (texts.compare && texts.all_steps)
+        throw UsageError("--compare draws no picture: --all-steps has no meaning with it");
     if (texts.compare && texts.size)
         throw UsageError("--compare draws no picture: --size has no meaning with it");
     return options;

@@ -30,6 +30,7 @@ struct StepOptions {
     int digits = 6;
     std::string picture = "rayscope-step.png";
     bool picture_asked_for = false, no_picture = false;
+    bool all_steps = false;         ///< a picture for each ray
     std::optional<Size> size;       ///< of the picture
     std::optional<std::string> why; ///< the drawn object of which to tell only why the rays did not end on it
     std::optional<std::string>

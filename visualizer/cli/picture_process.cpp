@@ -60,6 +60,16 @@ void run_or_throw(std::vector<std::string> arguments) {
         throw std::runtime_error("rayscope-view could not draw (exit code " + std::to_string(code) + ")");
 }
 
+const char* command_of(Drawing drawing) {
+    switch (drawing) {
+    case Drawing::png: return "png";
+    case Drawing::pngs: return "pngs";
+    case Drawing::webp: return "webp";
+    case Drawing::vtm: break;
+    }
+    return "vtm";
+}
+
 void add_size(std::vector<std::string>& arguments, const std::optional<Size>& size) {
     if (!size) return;
     arguments.emplace_back("--size");
@@ -81,7 +91,7 @@ void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::opti
     const fs::path file = folder.path() / "trace.json";
     write_trace(trace, file);
     std::vector<std::string> arguments{view_program().string(),
-                                       drawing == Drawing::png ? "png" : "vtm",
+                                       command_of(drawing),
                                        "--scene",
                                        trace.source.scene,
                                        "--trace",

@@ -14,7 +14,12 @@ namespace rayscope::cli {
 [[nodiscard]] const char* how_to_draw();
 
 /// What rayscope-view makes of a trace.
-enum class Drawing { png, vtm };
+enum class Drawing {
+    png,
+    pngs, ///< one for each ray: the file's name gets a number; their names go to stdout
+    webp, ///< the same as an animation
+    vtm
+};
 
 /// Has a trace drawn, and waits for it. The program's own messages go to stderr. Throws std::runtime_error if it fails.
 /// @param ray of a picture: the ray in front; none: all alike

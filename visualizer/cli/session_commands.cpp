@@ -70,7 +70,7 @@ std::span<const Command> commands() {
         Command{"quiz", "", "", "predict each decision before it is shown", &S::quiz},
         Command{"png", "", "FILE", "draw the trace, this ray in front", &S::png},
         Command{"save", "", "FILE",
-                ".json, .html or .vtm: the trace; any other name: your stops and place, for source",
+                ".json, .html, .webp or .vtm: the trace; any other name: your stops and place, for source",
                 &S::save},
         Command{"source", "so", "FILE", "carry out the commands of a file", &S::source},
         Command{"help", "h ?", "[COMMAND]", "this list, or one command", &S::help},

@@ -5,12 +5,10 @@
 #include "visualizer/cli/picture_process.hpp"
 #include "visualizer/cli/script.hpp"
 #include "visualizer/cli/session.hpp"
-#include "visualizer/page/page.hpp"
+#include "visualizer/cli/trace_file.hpp"
 
 namespace rayscope::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 void need_file(const char* command, const std::string& file) {
     if (file.empty()) throw UsageError(std::string(command) + ": expected a file");
@@ -29,17 +27,9 @@ std::string Session::png(const std::string& file) {
 // What source reads: stops and displays, and the place.
 std::string Session::save(const std::string& file) {
     need_file("save", file);
-    const std::string extension = fs::path(file).extension().string();
-    if (extension == ".json" || extension == ".html" || extension == ".vtm") {
-        check_output("save", file, {".json", ".html", ".vtm"});
-        if (extension == ".json")
-            write_trace(trace(), file);
-        else if (extension == ".html")
-            page::write_page(bench_, trace(), file);
-        else if (can_draw())
-            draw(Drawing::vtm, trace(), file);
-        else
-            throw std::runtime_error(std::string("save: ") + how_to_draw());
+    if (is_trace_file(file)) {
+        check_trace_file("save", file);
+        write_trace_file(bench_, trace(), file);
         return "trace: " + harmless(file) + "\n";
     }
     const TraceSource& from = trace().source;

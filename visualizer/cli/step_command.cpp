@@ -54,6 +54,11 @@ void add_picture(const Trace& trace, const StepOptions& options) {
             return;
         }
     }
+    if (options.all_steps) {
+        print("\npictures:\n");
+        draw(Drawing::pngs, trace, options.picture, options.size);
+        return;
+    }
     draw(Drawing::png, trace, options.picture, options.size);
     print("\npicture: " + harmless(options.picture) + "\n");
 }

@@ -112,13 +112,13 @@ private:
         }
         table->AddColumn(x);
         table->AddColumn(y);
-        vtkNew<vtkPlotLine> line;
-        line->SetInputData(table, 0, 1);
-        line->SetColor(look.colour.red, look.colour.green, look.colour.blue, 255);
-        line->SetWidth(float(2 * FlatPicture::scale));
-        line->SetMarkerStyle(look.marker);
-        line->SetMarkerSize(float(0.7 * font_ * FlatPicture::scale));
-        chart_->AddPlot(line);
+        vtkNew<vtkPlotLine> curve;
+        curve->SetInputData(table, 0, 1);
+        curve->SetColor(look.colour.red, look.colour.green, look.colour.blue, 255);
+        curve->SetWidth(float(2 * FlatPicture::scale));
+        curve->SetMarkerStyle(look.marker);
+        curve->SetMarkerSize(float(0.7 * font_ * FlatPicture::scale));
+        chart_->AddPlot(curve);
     }
 
     [[nodiscard]] Pixel pixel_of(double objects, double time) const {

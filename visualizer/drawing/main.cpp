@@ -1,6 +1,7 @@
 // rayscope-view: the part of rayscope that needs VTK. `rayscope` runs it for pictures and ParaView files.
 
 #include "visualizer/drawing/accuracy_chart.hpp"
+#include "visualizer/drawing/animation.hpp"
 #include "visualizer/drawing/effects_chart.hpp"
 #include "visualizer/drawing/extents_picture.hpp"
 #include "visualizer/drawing/growth_chart.hpp"
@@ -75,6 +76,17 @@ void draw(const Arguments& arguments) {
     drawing::write_picture(open(arguments.scene), trace, arguments.output, {size, arguments.ray});
 }
 
+void draw_all(const Arguments& arguments, bool animated) {
+    const drawing::PictureSize size = parse_size(arguments.size);
+    const Trace trace = read_trace(arguments.trace);
+    const Workbench bench = open(arguments.scene);
+    if (animated)
+        drawing::write_animation(bench, trace, arguments.output, size);
+    else
+        for (const auto& file : drawing::write_all_pictures(bench, trace, arguments.output, size))
+            std::cout << file.string() << '\n';
+}
+
 void draw_heat(const Arguments& arguments) {
     check_writable(arguments.output);
     const Map map = read_map(arguments.map);
@@ -111,6 +123,15 @@ int main(int argc, char** argv) {
     png->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (1280x720)");
     png->add_option("--ray", arguments.ray, "The current ray: its path is drawn thick, the others as ghosts");
     png->footer("Example: rayscope-view png --scene bowl.toml --trace bowl.json -o bowl.png --ray 3");
+    CLI::App* pngs = app.add_subcommand("pngs", "Draws a picture for each ray, with that ray in front");
+    add_files(*pngs, arguments);
+    pngs->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (1280x720)");
+    pngs->footer("Example: rayscope-view pngs --scene bowl.toml --trace bowl.json -o bowl.png makes "
+                 "bowl-0.png, bowl-1.png, …");
+    CLI::App* webp = app.add_subcommand("webp", "Draws the same pictures as one animation");
+    add_files(*webp, arguments);
+    webp->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (1280x720)");
+    webp->footer("Example: rayscope-view webp --scene bowl.toml --trace bowl.json -o bowl.webp");
     CLI::App* vtm = app.add_subcommand("vtm", "Writes the trace and the surfaces for ParaView");
     add_files(*vtm, arguments);
     vtm->footer("Example: rayscope-view vtm --scene bowl.toml --trace bowl.json -o bowl.vtm");
@@ -147,6 +168,8 @@ int main(int argc, char** argv) {
     }
     try {
         if (*png) draw(arguments);
+        if (*pngs) draw_all(arguments, false);
+        if (*webp) draw_all(arguments, true);
         if (*accuracy) drawing::write_accuracy_pictures(arguments.measurement, parse_size(arguments.size));
         if (*heat) draw_heat(arguments);
         if (*effects) drawing::write_effects_chart(arguments.measurement, parse_size(arguments.size));
