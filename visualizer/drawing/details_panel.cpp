@@ -87,7 +87,7 @@ public:
     }
     void operator()(const NotSpawned& e) {
         if (e.reason == Reason::coefficient_zero || e.reason == Reason::total_internal_reflection) return;
-        add("not traced", std::string(kind_name(e.kind)) + ": " + reason_text(e.reason));
+        add("cut off", std::string(kind_name(e.kind)) + ": " + reason_text(e.reason));
     }
     void operator()(const RayFinished& e) {
         const bool shadow = ray_.start().kind == RayKind::shadow;
