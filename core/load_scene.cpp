@@ -29,7 +29,12 @@ std::string names_of(const EffectSet& some, const EffectSet& others) {
     return names;
 }
 
-constexpr std::size_t longest_file = std::size_t(1) << 30U;
+Fnv1a hash_of_bytes(const std::filesystem::path& path) {
+    const std::string text = read_file(path, std::size_t(1) << 30U);
+    return Fnv1a().add(text.data(), text.size());
+}
+
+std::string in_digits(const Fnv1a& hash) { return fmt::format("{:016x}", hash.value()); }
 
 template <typename Element> void add_elements(Fnv1a& hash, const std::vector<Element>& list) {
     hash.add(list.data(), list.size() * sizeof(Element));
@@ -56,15 +61,10 @@ Scene load_scene(const std::filesystem::path& path, const std::optional<std::str
     return effects || scene.effects ? with_chosen_effects(std::move(scene), effects) : scene;
 }
 
-std::string content_hash(const std::filesystem::path& path) {
-    const std::string text = read_file(path, longest_file);
-    return fmt::format("{:016x}", Fnv1a().add(text.data(), text.size()).value());
-}
+std::string content_hash(const std::filesystem::path& path) { return in_digits(hash_of_bytes(path)); }
 
 std::string content_hash(const std::filesystem::path& path, const Scene& scene) {
-    const std::string text = read_file(path, longest_file);
-    Fnv1a hash;
-    hash.add(text.data(), text.size());
+    Fnv1a hash = hash_of_bytes(path);
     for (const SceneGeneric& generic : scene.generics)
         if (const auto* mesh = std::get_if<Mesh<double>>(&generic.shape)) {
             const MeshData& data = mesh->triangles().data();
@@ -73,7 +73,7 @@ std::string content_hash(const std::filesystem::path& path, const Scene& scene) 
             add_elements(hash, data.normals);
             add_elements(hash, data.triangle_normals);
         }
-    return fmt::format("{:016x}", hash.value());
+    return in_digits(hash);
 }
 
 } // namespace rayscope

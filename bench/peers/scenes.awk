@@ -1,7 +1,7 @@
 # Scenes that any number of objects can be asked of: awk -v kind=flake|bowls|lenses|rings -v n=N -f scenes.awk
 # flake: Haines' sphereflake of depth n, 1 + 9 + … spheres (balls of the Standard Procedural Databases), as NFF.
 # bowls: n × n bowls (outer − inner) − cone on a floor, as TOML.
-# lenses: n lenses, each what two spheres share, one behind the other over a chequered floor, as TOML.
+# lenses: n lenses, each what two spheres share, in rows of four on a floor, as TOML.
 # rings: a pyramid of n steps of rings, each 30 spheres joined by 30 cylinders: 4,200 of both for n=7, as NFF.
 
 # Nine children around each ball: six on its equator, three above; `d` is its axis, `e` and `f` complete a frame.

@@ -57,8 +57,8 @@ template <>
     const Formulas& formulas = *formulas_in_use().formulas;
     if (!formulas.fresnel) return fresnel<double>(bent, speed_from, speed_to);
     const double reflected = formulas.fresnel(speed_from, speed_to, bent.cosine);
-    return reflected < epsilon<double> ? Reflectance<double>{0, 0}
-                                       : Reflectance<double>{reflected, reflected}; // rounding alone
+    if (reflected < epsilon<double>) return {0, 0}; // rounding alone sends no ray
+    return {reflected, reflected};
 }
 
 template <> void reconsider_wall<Substituted>(const World<Substituted>& world, Interaction<Substituted>& at);

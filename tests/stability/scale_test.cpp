@@ -59,7 +59,7 @@ void expect_within_bounds(const std::filesystem::path& path, double factor) {
     const EyeRays eye(here.scene.camera, width, height), scaled_eye(there.scene.camera, width, height);
     Comparison comparison(here.world, there.world, motion);
     // With less effort, of the pixels that do not differ only some.
-    const auto every = std::size_t(std::max(1.0, std::round(4 / effort())));
+    const auto every = std::size_t(std::max(1.0, std::round(1 / effort())));
     int differing = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {

@@ -20,10 +20,9 @@ struct Reply {
 };
 
 /// What `find` found in the image.
-struct FoundPixels {
+struct Found {
     std::string condition;
-    Map events; ///< of each pixel: at how many the condition holds
-    int pixels = 0;
+    FindResult result;
 };
 
 class Session;
@@ -53,7 +52,7 @@ public:
     [[nodiscard]] bool ended() const { return ended_; }
     [[nodiscard]] bool quizzing() const { return quiz_.has_value(); }
     /// By the last `find`, if any pixel had it.
-    [[nodiscard]] const std::optional<FoundPixels>& found() const { return found_; }
+    [[nodiscard]] const std::optional<Found>& found() const { return found_; }
     [[nodiscard]] int current() const { return walk_.cursor().spot().ray; }
     [[nodiscard]] const Walk& walk() const { return walk_; }
     /// "ray 3 of 0-7, refracted, depth 1> ", or what a quiz asks for.
@@ -143,7 +142,7 @@ private:
     std::vector<Display> displays_;
     int last_display_ = 0, sources_ = 0;
     std::optional<QuizGame> quiz_;
-    std::optional<FoundPixels> found_;
+    std::optional<Found> found_;
     std::string last_ = "next";
     bool ended_ = false;
 };

@@ -150,7 +150,7 @@ std::string Session::find(const std::string& text) {
     const std::string said = find_text(bench_, condition, result, options, 12, style_);
     found_.reset();
     if (result.pixels == 0) return said;
-    found_ = {text, std::move(result.events), result.pixels};
+    found_ = {text, std::move(result)};
     return said + "pixel X,Y goes to one of them.\n";
 }
 

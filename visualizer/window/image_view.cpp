@@ -76,26 +76,25 @@ void ImageView::mark(std::optional<QPoint> pixel) {
     update();
 }
 
-void ImageView::show_found(const std::optional<cli::FoundPixels>& found) {
+void ImageView::show_found(const std::optional<cli::Found>& found) {
     found_ = found;
-    veil_ = found ? veil_over(found->events) : QImage();
+    veil_ = found ? veil_over(found->result.events) : QImage();
+    ringed_.clear();
+    if (found && found->result.pixels <= most_ringed) ringed_ = cli::found_pixels(found->result, most_ringed);
     update();
 }
 
 void ImageView::draw_found(QPainter& painter, const QRectF& area) const {
     painter.drawImage(area, veil_);
-    const Map& events = found_->events;
-    const double pixel = area.width() / events.width, radius = std::max(pixel, 6.0);
+    const double pixel = area.width() / found_->result.events.width, radius = std::max(pixel, 6.0);
     painter.setPen(QPen(QColor(0xC0, 0x40, 0x00), 1.6));
-    for (int y = 0; y < events.height && found_->pixels <= most_ringed; ++y)
-        for (int x = 0; x < events.width; ++x)
-            if (events.at(x, y) > 0)
-                painter.drawEllipse(QPointF(area.left() + (x + .5) * pixel, area.top() + (y + .5) * pixel),
-                                    radius, radius);
+    for (const cli::FoundPixel& at : ringed_)
+        painter.drawEllipse(QPointF(area.left() + (at.x + .5) * pixel, area.top() + (at.y + .5) * pixel),
+                            radius, radius);
     draw_caption(painter,
                  QString("%1 %2 found: %3")
-                     .arg(found_->pixels)
-                     .arg(found_->pixels == 1 ? "pixel" : "pixels")
+                     .arg(found_shown())
+                     .arg(found_shown() == 1 ? "pixel" : "pixels")
                      .arg(QString::fromStdString(found_->condition)),
                  rect());
 }

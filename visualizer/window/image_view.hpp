@@ -1,6 +1,7 @@
 #pragma once
 // The scene's image: a click or a drag picks the pixel whose ray is walked through.
 
+#include "visualizer/cli/find_text.hpp"
 #include "visualizer/cli/session.hpp"
 #include "visualizer/window/image_maker.hpp"
 
@@ -18,8 +19,8 @@ public:
     /// The pixel whose ray is shown; none for a ray given by hand.
     void mark(std::optional<QPoint> pixel);
     /// All other pixels are veiled, and few found ones are ringed.
-    void show_found(const std::optional<cli::FoundPixels>& found);
-    [[nodiscard]] int found_shown() const { return found_ ? found_->pixels : 0; }
+    void show_found(const std::optional<cli::Found>& found);
+    [[nodiscard]] int found_shown() const { return found_ ? found_->result.pixels : 0; }
     /// A new scene: the whole image.
     void fit();
     [[nodiscard]] bool complete() const { return image_.fine; }
@@ -44,8 +45,9 @@ private:
     void pick(QPointF at);
 
     MadeImage image_;
-    std::optional<cli::FoundPixels> found_;
-    QImage veil_; // over what was not found
+    std::optional<cli::Found> found_;
+    QImage veil_;                         // over what was not found
+    std::vector<cli::FoundPixel> ringed_; // where it is little
     std::optional<QPoint> pixel_;
     double zoom_ = 1;        // 1: the whole image fits
     QPointF middle_{.5, .5}; // of the widget, as shares of the image
