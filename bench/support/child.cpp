@@ -48,7 +48,7 @@ std::string output_of(const std::vector<std::string>& words) {
     close(ends[1]);
     std::string text;
     std::array<char, 4096> part;
-    for (ssize_t count = 0; (count = read(ends[0], part.data(), part.size())) > 0;)
+    for (ssize_t count = 0; (count = ::read(ends[0], part.data(), part.size())) > 0;)
         text.append(part.data(), std::size_t(count));
     close(ends[0]);
     if (child < 0) return words[0] + ": can't be run\n";

@@ -33,4 +33,9 @@ template <Scalar T> [[nodiscard]] TorusRoots<T> torus_roots(T minor, const Ray<T
     return roots;
 }
 
+extern template TorusRoots<float> torus_roots(float, const Ray<float>&);
+extern template TorusRoots<double> torus_roots(double, const Ray<double>&);
+extern template TorusRoots<long double> torus_roots(long double, const Ray<long double>&);
+extern template TorusRoots<Float128> torus_roots(Float128, const Ray<Float128>&);
+
 } // namespace rayscope

@@ -26,4 +26,9 @@ template <Scalar T> [[nodiscard]] Intervals<T> torus_textbook(T minor, const Ray
     return hits.intervals();
 }
 
+extern template Intervals<float> torus_textbook(float, const Ray<float>&);
+extern template Intervals<double> torus_textbook(double, const Ray<double>&);
+extern template Intervals<long double> torus_textbook(long double, const Ray<long double>&);
+extern template Intervals<Float128> torus_textbook(Float128, const Ray<Float128>&);
+
 } // namespace rayscope

@@ -67,4 +67,16 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     return {eta, cosine, sine, radicand, eta * cross(n, turn) - sqrt(radicand) * n};
 }
 
+extern template Refraction<float> refract<float>(Vec3<float>, Vec3<float>, float, float);
+extern template Refraction<double> refract<double>(Vec3<double>, Vec3<double>, double, double);
+extern template Refraction<long double> refract<long double>(Vec3<long double>, Vec3<long double>,
+                                                             long double, long double);
+extern template Refraction<Float128> refract<Float128>(Vec3<Float128>, Vec3<Float128>, Float128, Float128);
+extern template Refraction<float> refract<Textbook<float>>(Vec3<float>, Vec3<float>, float, float);
+extern template Refraction<double> refract<Textbook<double>>(Vec3<double>, Vec3<double>, double, double);
+extern template Refraction<long double> refract<Textbook<long double>>(Vec3<long double>, Vec3<long double>,
+                                                                       long double, long double);
+extern template Refraction<Float128> refract<Textbook<Float128>>(Vec3<Float128>, Vec3<Float128>, Float128,
+                                                                 Float128);
+
 } // namespace rayscope

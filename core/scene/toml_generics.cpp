@@ -60,7 +60,7 @@ Generic<double> read_shape(const TomlTable& table, Place place, Meshes& meshes) 
         table.allow_only(kind, with(common_keys, {"top_radius"}));
         Cone<double> cone;
         if (const auto top = table.find("top_radius")) {
-            cone.top = top->number(share);
+            cone.top = top->number(from_0_to_1);
             if (cone.top == 1) top->fail("'top_radius': expected less than 1, the radius of the base");
         }
         return cone;

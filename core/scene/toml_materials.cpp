@@ -27,8 +27,8 @@ SceneMaterial read_material(const TomlEntry& entry) {
     read("ambient", not_negative, material.ambient, patterns.ambient);
     read("diffuse", not_negative, material.diffuse, patterns.diffuse);
     read("specular", not_negative, material.specular, patterns.specular);
-    read("reflection", share, material.reflection, patterns.reflection);
-    read("transmission", share, material.transmission, patterns.transmission);
+    read("reflection", from_0_to_1, material.reflection, patterns.reflection);
+    read("transmission", from_0_to_1, material.transmission, patterns.transmission);
     if (const auto shininess = table.find("shininess")) material.shininess = shininess->number(not_negative);
     material.speed = read_speed(table).value_or(material.speed);
     read_optics(table, material);

@@ -22,7 +22,7 @@ struct Bounds {
 inline constexpr double largest_number = 1e150;
 inline constexpr Bounds any_number{-largest_number, largest_number};
 inline constexpr Bounds not_negative{0, largest_number};
-inline constexpr Bounds share{0, 1};
+inline constexpr Bounds from_0_to_1{0, 1};
 
 class TomlTable;
 

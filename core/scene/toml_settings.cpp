@@ -58,7 +58,7 @@ void read_surroundings(const TomlTable& table, Scene& scene) {
 void read_limits(const TomlTable& table, Limits& limits) {
     table.allow_only("[limits]", {"max_depth", "min_weight", "max_rays", "wavelengths"});
     if (const auto depth = table.find("max_depth")) limits.max_depth = depth->integer(0, 256);
-    if (const auto weight = table.find("min_weight")) limits.min_weight = weight->number(share);
+    if (const auto weight = table.find("min_weight")) limits.min_weight = weight->number(from_0_to_1);
     if (const auto rays = table.find("max_rays")) limits.max_rays = rays->integer(1, 1000000000);
     if (const auto lines = table.find("wavelengths")) limits.wavelengths = lines->integer(1, 64);
 }

@@ -76,7 +76,7 @@ void read_tolerance(const TomlTable& table, Tolerance& tolerance) {
     const TomlTable inner = value->table();
     inner.allow_only("a tolerance", {"absolute", "relative"});
     if (const auto absolute = inner.find("absolute")) tolerance.absolute = absolute->number(not_negative);
-    if (const auto relative = inner.find("relative")) tolerance.relative = relative->number(share);
+    if (const auto relative = inner.find("relative")) tolerance.relative = relative->number(from_0_to_1);
 }
 
 void read_toml_file(const SourceText& source, const toml::table& document, Exercise& exercise) {

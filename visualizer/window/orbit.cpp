@@ -9,7 +9,7 @@ namespace rayscope::window {
 namespace {
 
 // A View without points stands so many radii from the middle of its region.
-const double distance = drawing::View({}, {0, 0, 1, 1}, {0, 0, 1}, {0, 1, 0}, {}, 1).position().z;
+const double radii_away = drawing::View({}, {0, 0, 1, 1}, {0, 0, 1}, {0, 1, 0}, {}, 1).position().z;
 
 Vec3d turned(const Vec3d& v, const Vec3d& axis, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -41,7 +41,7 @@ void Orbit::look(const Vec3d& from, const Vec3d& to) {
     if (!(away > 0) || !std::isfinite(away)) return;
     pivot = to;
     back = (from - to) / away;
-    radius = away / distance;
+    radius = away / radii_away;
     // Along the upward direction any other one does.
     if (std::abs(dot(back, up)) > 0.999)
         back = normalized(back + normalized(cross(up, Vec3d{up.y, up.z, up.x})) * 0.05);
@@ -56,7 +56,7 @@ Orbit framed_orbit(const Trace& trace, const Scene& scene, const drawing::Region
     orbit.up = length(up) > 0.5 ? up : Vec3d{0, 1, 0};
     const double along = dot(view.position(), view.back());
     orbit.pivot = region.centre + (view.position() - view.back() * along) * region.radius;
-    orbit.radius = region.radius * along / distance;
+    orbit.radius = region.radius * along / radii_away;
     return orbit;
 }
 
