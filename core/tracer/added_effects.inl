@@ -23,7 +23,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade_hit_with_effects(const Ray
         passed = absorbed(ray, budget.medium, at.hit.t);
         dimmed.weight *= passed;
     }
-    Colour local = local_light(at, dimmed);
+    Colour local = local_light<true>(at, dimmed);
     Colour colour = local;
     add_boundary_light_with_effects(colour, at, dimmed);
     if (world_.absorbs) {
@@ -65,7 +65,7 @@ void Tracer<N, Stage, Recorder, Order, mask>::add_area_light(Colour& colour, Id 
     LightPoint point{id, 0, light.area.samples, light.colour, light.directional};
     point.colour /= double(point.samples);
     for (; point.sample < point.samples; ++point.sample)
-        colour += light_along(point, to_centre + aside(point, to_centre, budget), at, budget);
+        colour += light_along<true>(point, to_centre + aside(point, to_centre, budget), at, budget);
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>

@@ -6,6 +6,7 @@
 namespace rayscope {
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+template <bool added>
 Colour Tracer<N, Stage, Recorder, Order, mask>::local_light(const Interaction<N>& at, const Budget& budget) {
     if (at.leaves_transmitting_solid) {
         if constexpr (Recorder::enabled) recorder_.record(LocalLightSkipped{});
@@ -13,24 +14,28 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::local_light(const Interaction<N>
     }
     if constexpr (Recorder::enabled) recorder_.record(AmbientLit{world_.ambient, at.wall->ambient});
     Colour colour = world_.ambient * at.wall->ambient;
-    for (Id light = 0; light < Id(world_.lights.size()); ++light) add_light_from(colour, light, at, budget);
+    for (Id light = 0; light < Id(world_.lights.size()); ++light)
+        add_light_from<added>(colour, light, at, budget);
     return colour;
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+template <bool added>
 void Tracer<N, Stage, Recorder, Order, mask>::add_light_from(Colour& colour, Id id, const Interaction<N>& at,
                                                              const Budget& budget) {
     const Light& light = world_.lights[std::size_t(id)];
-    if constexpr (all_effects) {
+    if constexpr (added) {
         if (light.area.samples > 1) {
             add_area_light(colour, id, at, budget);
             return;
         }
     }
-    colour += light_along({id, 0, 1, light.colour, light.directional}, to_middle_of(light, at), at, budget);
+    colour +=
+        light_along<added>({id, 0, 1, light.colour, light.directional}, to_middle_of(light, at), at, budget);
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+template <bool added>
 Colour Tracer<N, Stage, Recorder, Order, mask>::light_along(const LightPoint& light, const Vec3<T>& offset,
                                                             const Interaction<N>& at, const Budget& budget) {
     const Vec3<T> to_light = normalized(offset);
@@ -44,7 +49,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::light_along(const LightPoint& li
     // A light behind the surface, or one that the material ignores, needs no shadow ray.
     Colour seen{1};
     if (world_.lights[std::size_t(light.id)].shadows && largest_component(diffuse + specular) > 0)
-        seen = visibility(light, to_light, light.endless ? infinity<T> : length(offset), at, budget);
+        seen = visibility<added>(light, to_light, light.endless ? infinity<T> : length(offset), at, budget);
     const Colour arriving = light.colour * seen;
     if constexpr (Recorder::enabled)
         recorder_.record(LightLit{light.id, as<double>(to_light), cosine, mirror, at.wall->shininess,
@@ -54,6 +59,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::light_along(const LightPoint& li
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
+template <bool added>
 Colour Tracer<N, Stage, Recorder, Order, mask>::visibility(const LightPoint& light, const Vec3<T>& to_light,
                                                            T distance, const Interaction<N>& at,
                                                            const Budget& budget) {
@@ -69,25 +75,19 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::visibility(const LightPoint& lig
     Colour seen{dark ? 0.0 : 1.0};
     if (!dark) {
         for (const Blocker<T>& blocker : work_.blockers) {
-            const Colour transmission = passing(blocker, ray);
+            Colour transmission = world_.material_of(blocker.object).transmission;
+            if constexpr (added) transmission = passing_with_effects(blocker, ray);
             if constexpr (Recorder::enabled)
                 recorder_.record(BlockerPassed{Id(blocker.object), double(blocker.t), transmission});
             seen *= transmission;
         }
-        if constexpr (all_effects)
+        if constexpr (added)
             if (world_.absorbs && largest_component(seen) > 0)
                 seen *= absorbed_to_light(ray, distance, at.back);
     }
     if constexpr (Recorder::enabled)
         recorder_.record(RayFinished{seen, seen, int(work_.counters.objects - before)});
     return seen;
-}
-
-template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
-Colour Tracer<N, Stage, Recorder, Order, mask>::passing(const Blocker<T>& blocker, const Ray<T>& ray) const {
-    if constexpr (all_effects)
-        if (world_.effects == EffectMask::all) return passing_with_effects(blocker, ray);
-    return world_.material_of(blocker.object).transmission;
 }
 
 } // namespace rayscope

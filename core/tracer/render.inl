@@ -90,6 +90,8 @@ private:
             NullRecorder recorder;
             Work<T>& work = works_.local();
             PixelTracer tracer(world_, stage_, work, recorder);
+            if constexpr (mask == EffectMask::all)
+                if (samples_ > 1) tracer.keep_first_seen();
             for (int y = tile.top; y < tile.bottom; ++y) {
                 for (int x = tile.left; x < tile.right; ++x) {
                     std::optional<HeatMeter> meter;

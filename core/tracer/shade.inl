@@ -15,10 +15,12 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::trace(const Ray<T>& ray, const R
     const Leaving<T> nothing;
     Budget budget;
     if constexpr (all_effects) {
-        budget.path = seed;
-        seen_ = {};
-        spectrum_.clear();
-        if (world_.absorbs) budget.medium = medium_at_start(world_, ray, work_);
+        if (adds_) {
+            budget.path = seed;
+            seen_ = {};
+            spectrum_.clear();
+            if (world_.absorbs) budget.medium = medium_at_start(world_, ray, work_);
+        }
     }
     ++work_.counters.rays[std::size_t(RayKind::eye)];
     if constexpr (Recorder::enabled) {
@@ -48,11 +50,13 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade(const RayUse& use, const R
     }
     const Interaction<N> at = interact(world_, ray, hit, leaving, budget.medium, work_);
     if constexpr (all_effects) {
-        if (budget.depth == 0) seen_ = {Id(at.hit.object), as<double>(at.facing)};
-        if (world_.effects == EffectMask::all) return shade_hit_with_effects(ray, at, budget, tested);
+        if (adds_) { // one test for all that is added, where nothing is
+            if (budget.depth == 0) seen_ = {Id(at.hit.object), as<double>(at.facing)};
+            if (world_.effects == EffectMask::all) return shade_hit_with_effects(ray, at, budget, tested);
+        }
     }
     if constexpr (Recorder::enabled) record_boundary(ray, at);
-    const Colour local = local_light(at, budget);
+    const Colour local = local_light<false>(at, budget);
     Colour colour = local;
     add_boundary_light(colour, at, budget);
     if constexpr (Recorder::enabled) recorder_.record(RayFinished{local, colour, tested});
@@ -144,7 +148,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::follow(const Continuation& next,
     const Ray<T> ray{at.point, next.direction};
     Budget after = budget.after(next.coefficient, next.medium);
     if constexpr (all_effects) {
-        if (world_.effects == EffectMask::all) {
+        if (adds_) {
             after.path = mixed(budget.path, std::uint32_t(next.kind));
             if (next.wavelength > 0) after.wavelength = float(next.wavelength);
         }

@@ -32,7 +32,9 @@ public:
           work_(work),
           recorder_(recorder),
           order_(std::move(order)),
-          limits_{world.max_depth, world.min_weight} {}
+          limits_{world.max_depth, world.min_weight} {
+        if constexpr (all_effects) adds_ = world.effects == EffectMask::all;
+    }
 
     /// The light that comes back along an eye ray, linear RGB.
     [[nodiscard]] Colour trace(const Ray<T>& ray) { return trace(ray, {RayKind::eye, none, none, none}, 0); }
@@ -47,7 +49,9 @@ public:
     [[nodiscard]] int deepest() const { return deepest_; }
     /// Of the last trace: the weight of all rays that the limits cut off.
     [[nodiscard]] double dropped() const { return dropped_; }
-    /// Of the last trace; known with all effects alone.
+    /// Asks for first_seen() of the traces to come; with all effects alone.
+    void keep_first_seen() { adds_ = true; }
+    /// Of the last trace.
     [[nodiscard]] const FirstSeen& first_seen() const { return seen_; }
 
 private:
@@ -95,8 +99,11 @@ private:
     void record_boundary(const Ray<T>& ray, const Interaction<N>& at);
 
     // Inlined by order: GCC does so by itself where a function is called once, in the classic tracer.
+    // With `added` the scene calls for more than the notes' effects; without, nothing of them is asked again.
+    template <bool added>
     [[nodiscard, gnu::always_inline]] inline Colour local_light(const Interaction<N>& at,
                                                                 const Budget& budget);
+    template <bool added>
     [[gnu::always_inline]] inline void add_light_from(Colour& colour, Id light, const Interaction<N>& at,
                                                       const Budget& budget);
     [[nodiscard, gnu::always_inline]] static Vec3<T> to_middle_of(const Light& light,
@@ -104,19 +111,20 @@ private:
         const Vec3<T> position = as<T>(light.position);
         return light.directional ? position : position - at.point;
     }
-    [[nodiscard, gnu::always_inline]] inline Colour light_along(const LightPoint& light,
-                                                                const Vec3<T>& offset,
-                                                                const Interaction<N>& at,
-                                                                const Budget& budget);
-    [[nodiscard, gnu::always_inline]] inline Colour visibility(const LightPoint& light,
-                                                               const Vec3<T>& to_light, T distance,
-                                                               const Interaction<N>& at,
-                                                               const Budget& budget);
-    [[nodiscard]] Colour passing(const Blocker<T>& blocker, const Ray<T>& ray) const;
+    template <bool added>
+    [[nodiscard, gnu::always_inline]] inline Colour
+    light_along(const LightPoint& light, const Vec3<T>& offset, const Interaction<N>& at,
+                const Budget& budget);
+    template <bool added>
+    [[nodiscard, gnu::always_inline]] inline Colour
+    visibility(const LightPoint& light, const Vec3<T>& to_light, T distance, const Interaction<N>& at,
+               const Budget& budget);
 
-    void add_boundary_light(Colour& colour, const Interaction<N>& at, const Budget& budget);
-    void add_shared_light(Colour& colour, const Interaction<N>& at, const Bend& bend, const Shares& shares,
-                          const Budget& budget);
+    [[gnu::always_inline]] inline void add_boundary_light(Colour& colour, const Interaction<N>& at,
+                                                          const Budget& budget);
+    [[gnu::always_inline]] inline void add_shared_light(Colour& colour, const Interaction<N>& at,
+                                                        const Bend& bend, const Shares& shares,
+                                                        const Budget& budget);
     [[nodiscard, gnu::always_inline]] inline Refraction<T> bent_at(const Interaction<N>& at, T speed_from,
                                                                    T speed_to) const;
     [[nodiscard]] Colour mirrored_light(const Interaction<N>& at, const Colour& coefficient,
@@ -157,6 +165,7 @@ private:
     RecursionLimits limits_;
     int rays_left_ = 0, deepest_ = 0;
     double dropped_ = 0;
+    [[no_unique_address]] Added<bool> adds_{}; // an effect, or what is first seen
     [[no_unique_address]] Added<FirstSeen> seen_;
     [[no_unique_address]] Added<Spectrum> spectrum_;
 };
