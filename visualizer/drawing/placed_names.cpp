@@ -12,6 +12,8 @@ namespace {
 
 // In units of the letters' size.
 constexpr double mark_radius = 0.56, beside_mark = 0.67, first_away = 1.67, last_away = 18, rim = 0.22;
+constexpr double crossing = 1e5, no_place = 1e9; // dearer than any lead's length
+constexpr int good_tries = 300, most_tries = 20000, most_left = 12;
 
 /// Straight up or down from the mark's edge to the name; without height where the name stands beside the mark.
 Area lead_of(const NamedMark& named, const Area& area) {
@@ -52,9 +54,11 @@ public:
         }
     }
     /// @param all places that the name may have
+    /// @param left_to_others how many good ones it leaves
     /// @return what the one that it takes costs: the length of its lead; much more if that crosses a name or a mark, or if
     /// there is no place
-    double take(const NamedMark& named, const std::vector<Area>& all, std::optional<PlacedName>& placed) {
+    double take(const NamedMark& named, const std::vector<Area>& all, int left_to_others,
+                std::optional<PlacedName>& placed) {
         const auto is_free = [&](const Area& area) {
             return room_.contains(area) && !hits(area, marks_) && !hits(area, line_) && !hits(area, names_);
         };
@@ -62,11 +66,12 @@ public:
             const Area lead = lead_of(named, area);
             return is_free(area) && (lead.height == 0 || (!hits(lead, names_) && !hits(lead, marks_)));
         };
-        auto at = std::find_if(all.begin(), all.end(), is_clear);
+        auto at = std::find_if(all.begin(), all.end(),
+                               [&](const Area& area) { return is_clear(area) && left_to_others-- == 0; });
         const bool clear = at != all.end();
         if (!clear) at = std::find_if(all.begin(), all.end(), is_free);
         placed.reset();
-        if (at == all.end()) return 1e9;
+        if (at == all.end()) return no_place;
         placed = {*at, {}};
         names_.push_back(*at);
         const Area lead = lead_of(named, *at);
@@ -74,7 +79,7 @@ public:
             names_.push_back(lead);
             placed->lead = {{named.at.x, lead.y}, {named.at.x, lead.bottom()}};
         }
-        return lead.height + (clear ? 0 : 1e5);
+        return lead.height + (clear ? 0 : crossing);
     }
 
 private:
@@ -97,13 +102,18 @@ std::vector<std::optional<PlacedName>> place_names(const std::vector<NamedMark>&
     std::vector<std::vector<Area>> all;
     for (const NamedMark& named : names) all.push_back(candidates(named));
     double least = infinity<double>;
-    // Who comes first takes places from the others, and which order is good can't be told beforehand.
+    // Who comes first takes places from the others, and which order is good can't be told beforehand. Where none is, some
+    // leave the nearest places.
     std::mt19937 random(1);
     const Places no_names(marks, line, room, names.front().size);
-    for (int tries = 0; tries < 300; ++tries) {
+    for (int tries = 0; tries < good_tries || (least >= crossing && tries < most_tries); ++tries) {
         Places places = no_names;
         double cost = 0;
-        for (const std::size_t i : order) cost += places.take(names[i], all[i], placed[i]);
+        for (const std::size_t i : order) {
+            const bool leaves = tries >= good_tries && random() % 8 == 0;
+            const int left_to_others = leaves ? 1 + int(random() % most_left) : 0;
+            cost += places.take(names[i], all[i], left_to_others, placed[i]);
+        }
         if (cost < least) {
             least = cost;
             best = placed;
