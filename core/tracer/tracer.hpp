@@ -51,7 +51,7 @@ public:
     [[nodiscard]] double dropped() const { return dropped_; }
     /// Asks for first_seen() of the traces to come; with all effects alone.
     void keep_first_seen() { adds_ = true; }
-    /// Of the last trace.
+    /// Of the last trace, where it was asked for or the scene calls for added effects.
     [[nodiscard]] const FirstSeen& first_seen() const { return seen_; }
 
 private:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # extending_test.sh CHECKOUT PROGRAMS check|build: the patches of chapters/reference/extending.
-# check: each applies to the project as it is. build: all together, in a copy, built without optimization, and their tests.
+# check: each applies to the project as it is, and includes what is there. build: all together, in a copy, built without optimization, and their tests.
 set -euo pipefail
 
 checkout=$1 programs=$2 what=$3
@@ -22,6 +22,9 @@ done
 for file in core/generics/wedge.hpp core/extents/sorted.hpp tests/effects/glow_test.cpp exercises/1-07-nearest/solution.hpp; do
     [[ -f $file ]] || { echo "FAILED: no $file" && exit 1; }
 done
+while read -r header; do # one that has moved
+    [[ -f $header ]] || { echo "FAILED: a patch includes $header, which is not there" && exit 1; }
+done < <(sed -n 's|^+#include "\(\(core\|tests\)/[^"]*\)"|\1|p' "$patches"/*.diff)
 echo "all of ${names[*]} apply, one after the other"
 if [[ $what == check ]]; then exit; fi
 
