@@ -24,7 +24,7 @@ for file in core/generics/wedge.hpp core/extents/sorted.hpp tests/effects/glow_t
 done
 while read -r header; do # one that has moved
     [[ -f $header ]] || { echo "FAILED: a patch includes $header, which is not there" && exit 1; }
-done < <(sed -n 's|^+#include "\(\(core\|tests\)/[^"]*\)"|\1|p' "$patches"/*.diff)
+done < <(sed -nE 's,^\+#include "((core|tests)/[^"]*)",\1,p' "$patches"/*.diff)
 echo "all of ${names[*]} apply, one after the other"
 if [[ $what == check ]]; then exit; fi
 
