@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # extending_test.sh CHECKOUT PROGRAMS check|build: the patches of chapters/reference/extending.
-# check: each applies to the project as it is, and includes what is there. build: all together, in a copy, built without optimization, and their tests.
+# check: each applies to the project as it is, and includes what is there.
+# build: all together, in a copy, built without optimization, and their tests.
 set -euo pipefail
 
 checkout=$1 programs=$2 what=$3
