@@ -1,5 +1,7 @@
 #include "visualizer/drawing/clip_compound.hpp"
 
+#include "visualizer/drawing/merging.hpp"
+
 #include <vtkClipPolyData.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
@@ -103,6 +105,7 @@ vtkSmartPointer<vtkPolyData> kept_below_zero(const vtkSmartPointer<vtkPolyData>&
     input->ShallowCopy(piece);
     input->GetPointData()->SetScalars(scalars);
     vtkNew<vtkClipPolyData> clip;
+    clip->SetLocator(merging(piece->GetNumberOfPoints()));
     clip->SetInputData(input);
     clip->InsideOutOn();
     clip->Update();

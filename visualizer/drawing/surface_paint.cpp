@@ -1,5 +1,6 @@
 #include "visualizer/drawing/surface_paint.hpp"
 
+#include "visualizer/drawing/merging.hpp"
 #include "visualizer/drawing/scene_objects.hpp"
 
 #include <vtkCellArray.h>
@@ -158,6 +159,7 @@ public:
         rims->NonManifoldEdgesOff();
         rims->ManifoldEdgesOff();
         rims->ColoringOff();
+        rims->SetLocator(merging(piece->GetNumberOfPoints()));
         rims->Update();
         add_lines(rims->GetOutput(), look.outline);
         if (!room) add_lines(silhouette(piece), look.outline);

@@ -9,7 +9,9 @@
 namespace rayscope::drawing {
 namespace {
 
-constexpr std::size_t most_objects = 600;
+// More of them hide the rays; and without a graphics card, their triangles take a hundred megabytes.
+constexpr std::size_t most_objects = 100;
+constexpr std::size_t most_ways = 64;
 
 /// Which of the objects rays hit, or are stopped by.
 std::set<Id> touched_objects(const Trace& trace, const std::vector<Id>& drawn) {
@@ -32,6 +34,33 @@ double distance(const Box<double>& box, const Vec3d& p) {
     for (int i = 0; i < 3; ++i) outside[i] = std::max({box.low[i] - p[i], 0.0, p[i] - box.high[i]});
     return length(outside);
 }
+
+/// How far objects are from the ways that rays take.
+class Ways {
+public:
+    Ways(const Trace& trace, const Region& region) {
+        for (const TracedRay& ray : trace.rays) {
+            if (ways_.size() == most_ways) break;
+            const Vec3d from = ray.start().origin;
+            ways_.push_back({from, drawn_end(ray, region.open_length()).point - from});
+        }
+    }
+    /// @param box bounded; it counts as the ball around it
+    [[nodiscard]] double distance_to(const Box<double>& box) const {
+        const Vec3d middle = (box.low + box.high) / 2.0;
+        double nearest = infinity<double>;
+        for (const Ray<double>& way : ways_) {
+            const Vec3d to_middle = middle - way.origin;
+            const double along = dot(to_middle, way.direction), size = dot(way.direction, way.direction);
+            const double t = size > 0 ? std::clamp(along / size, 0.0, 1.0) : 0;
+            nearest = std::min(nearest, length(to_middle - t * way.direction));
+        }
+        return std::max(0.0, nearest - length(box.high - middle));
+    }
+
+private:
+    std::vector<Ray<double>> ways_; // for t from 0 to 1
+};
 
 bool is_plane(const Scene& scene, std::size_t drawn) {
     const SceneObject& object = scene.drawn[drawn];
@@ -93,11 +122,19 @@ Surfaces surfaces_near(const Workbench& bench, const Trace& trace, const std::ve
         if (hit || away < (is_plane(scene, i) ? 3.0 : 1.6) * region.radius)
             candidates.push_back({i, hit, away});
     }
+    Surfaces surfaces;
+    const bool too_many = candidates.size() > most_objects;
+    if (too_many) {
+        const Ways ways(trace, region);
+        for (Candidate& candidate : candidates) {
+            const Box<double>& bounds = bench.world.objects[candidate.drawn].bounds;
+            if (bounds.bounded()) candidate.distance = ways.distance_to(bounds);
+        }
+    }
     std::ranges::stable_sort(candidates, [](const Candidate& a, const Candidate& b) {
         return a.hit != b.hit ? a.hit : a.distance < b.distance;
     });
-    Surfaces surfaces;
-    if (candidates.size() > most_objects) {
+    if (too_many) {
         surfaces.left_out = candidates.size() - most_objects;
         candidates.resize(most_objects);
     }

@@ -20,7 +20,7 @@ struct Surfaces {
     std::size_t left_out = 0; ///< objects near the rays for which there was no room
 };
 
-/// What rays hit, then what lies nearest to them, in a number of cells that a picture can afford.
+/// What rays hit, and what lies near; where that is too much for a picture, what lies nearest to the rays' ways.
 [[nodiscard]] Surfaces surfaces_near(const Workbench& bench, const Trace& trace, const std::vector<Id>& drawn,
                                      const Region& region);
 

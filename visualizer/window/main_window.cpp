@@ -9,7 +9,6 @@
 #include <QStatusBar>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace rayscope::window {
@@ -88,7 +87,6 @@ double MainWindow::least_weight() const {
 
 bool MainWindow::command(const std::string& line) {
     if (!typing_ && is_asked()) return false;
-    const auto start = std::chrono::steady_clock::now();
     const QString prompt = QString::fromStdString(desk.session().prompt());
     const cli::Reply reply = desk.command(line);
     const QString answer = QString::fromStdString(reply.text);
@@ -110,8 +108,6 @@ bool MainWindow::command(const std::string& line) {
         say({});
     show_stops();
     if (reply.command == "find") desk.session().found() ? show_found() : forget_found();
-    last_milliseconds_ =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return reply.ok;
 }
 

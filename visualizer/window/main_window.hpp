@@ -64,8 +64,6 @@ public:
     [[nodiscard]] const Trace& shown() const { return known_ ? *known_ : desk.trace(); }
     /// Everything that was asked for is on the screen.
     [[nodiscard]] bool complete() const;
-    /// Time from the call that last changed the trace to its being drawn, milliseconds.
-    [[nodiscard]] double last_milliseconds() const { return last_milliseconds_; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -122,7 +120,6 @@ private:
     QAction *undo_ = nullptr, *redo_ = nullptr, *play_ = nullptr;
     QTimer play_timer_, image_timer_;
     bool remember_, frame_next_ = true, typing_ = false, showing_ = false, sized_ = false;
-    double last_milliseconds_ = 0;
 };
 
 } // namespace rayscope::window

@@ -2,6 +2,7 @@
 
 #include "visualizer/drawing/ray_path.hpp"
 #include "visualizer/drawing/scene_objects.hpp"
+#include "visualizer/window/memory.hpp"
 #include "visualizer/window/ray_view_parts.hpp"
 
 #include <QCoreApplication>
@@ -31,7 +32,10 @@ RayView::RayView() : actors_(std::make_unique<Actors>()), worker_(this) {
     setRenderWindow(actors_->window);
     settle_timer_.setSingleShot(true);
     refine_timer_.setSingleShot(true);
-    QObject::connect(&refine_timer_, &QTimer::timeout, this, [this] { render(true); });
+    QObject::connect(&refine_timer_, &QTimer::timeout, this, [this] {
+        render(true);
+        give_back_memory(); // of what was drawn before
+    });
     QObject::connect(&settle_timer_, &QTimer::timeout, this, [this] {
         moving_ = false;
         changed(true);

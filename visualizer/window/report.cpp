@@ -50,7 +50,7 @@ nlohmann::json octree_json(const MainWindow& window) {
 
 } // namespace
 
-std::string report_of(MainWindow& window, const std::string& line, bool ok) {
+std::string report_of(MainWindow& window, const Outcome& outcome) {
     nlohmann::json row = nlohmann::json::array(), card = nlohmann::json::object(),
                    values = nlohmann::json::array();
     for (const QString& text : window.tree.current_row()) row.push_back(text_of(text));
@@ -59,8 +59,8 @@ std::string report_of(MainWindow& window, const std::string& line, bool ok) {
     const TraceSource& source = window.desk.trace().source;
     const MadeImage& image = window.image.image();
     const nlohmann::json report{
-        {"command", line},
-        {"ok", ok},
+        {"command", outcome.line},
+        {"ok", outcome.ok},
         {"message", text_of(window.message())},
         {"state", state_json(window.desk.walk())},
         {"scene", window.desk.file().string()},
@@ -90,7 +90,7 @@ std::string report_of(MainWindow& window, const std::string& line, bool ok) {
         {"handles", handles_json(window)},
         {"space", {{"rays", window.space.rays_drawn()}, {"surfaces", window.space.surfaces_shown()}}},
         {"size", {window.width(), window.height()}},
-        {"milliseconds", window.last_milliseconds()},
+        {"milliseconds", outcome.milliseconds},
         {"megabytes", resident_memory()}};
     return report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

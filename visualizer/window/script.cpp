@@ -250,14 +250,17 @@ bool run_script(MainWindow& window, const std::string& file, std::ostream& out) 
         std::string name;
         words >> name;
         const auto found = deeds().find(name);
-        bool ok = false;
+        Outcome outcome{line.text};
+        QElapsedTimer clock;
+        clock.start();
         try {
-            ok = found != deeds().end() && found->second(window, words);
+            outcome.ok = found != deeds().end() && found->second(window, words);
         } catch (const cli::UsageError&) { // told as not done
         }
         work_off(window);
-        all = all && ok;
-        out << report_of(window, line.text, ok) << std::endl;
+        outcome.milliseconds = double(clock.nsecsElapsed()) / 1e6;
+        all = all && outcome.ok;
+        out << report_of(window, outcome) << std::endl;
     }
     return all;
 }

@@ -13,7 +13,13 @@ class MainWindow;
 /// Throws cli::UsageError if the file can't be read.
 [[nodiscard]] bool run_script(MainWindow& window, const std::string& file, std::ostream& out);
 
-/// What the window shows, as one line of JSON.
-[[nodiscard]] std::string report_of(MainWindow& window, const std::string& line, bool ok);
+/// What came of a line of a script.
+struct Outcome {
+    std::string line;
+    bool ok = false;
+    double milliseconds = 0; ///< until it was drawn
+};
+/// And what the window shows, as one line of JSON.
+[[nodiscard]] std::string report_of(MainWindow& window, const Outcome& outcome);
 
 } // namespace rayscope::window
