@@ -159,6 +159,24 @@ TEST_F(Window, sliders_change_the_scene_and_save_keeps_the_file_as_its_author_wr
     EXPECT_THAT(folder.names(), testing::ElementsAre("prism.toml"));
 }
 
+TEST_F(Window, values_that_the_file_lacks_go_beside_the_others_of_their_table_however_it_is_written) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "scene.toml";
+    const std::string camera = "[camera]\neye = [0, -9, 2]\nlook_at = [0, 0, 0]\nfield_of_view = 40\n";
+    std::ofstream(file) << camera << "[materials]\nwax.diffuse = 0.7 # dull\nice = { diffuse = 0.1 }\n"
+                        << "[lights.lamp]\nposition = [-5, -9, 9]\n"
+                        << "[generics]\n  ball.shape = \"sphere\"\n  ball.material = \"wax\"\n";
+    const Reports window = run_window(screen, file.string(),
+                                      "wait\nmaterial wax\nslide reflection 0.25\nmaterial ice\n"
+                                      "slide reflection 0.5\nsolid ball 0 0\nsolid ball 20 0\nkey Ctrl+S\n");
+    ASSERT_EQ(window.lines.size(), 8U) << window.outcome.err;
+    EXPECT_FALSE(window.lines[7]["changed"]) << window.lines[7]["message"];
+    const std::string saved = content_of(file);
+    EXPECT_THAT(saved, HasSubstr("wax.diffuse = 0.7 # dull\nwax.reflection = 0.25\n"));
+    EXPECT_THAT(saved, HasSubstr("ice = { diffuse = 0.1, reflection = 0.5 }\n"));
+    EXPECT_THAT(saved, HasSubstr("  ball.material = \"wax\"\n  ball.transform = [{translate = ["));
+}
+
 TEST_F(Window, a_light_is_dragged_and_written_back) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "scene.toml";

@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 
 namespace rayscope::window {
 namespace {
@@ -22,20 +23,15 @@ std::size_t offset_of(const std::string& text, const toml::source_position& plac
     return std::min(at, text.size());
 }
 
+/// "section.name.key".
 struct Path {
-    std::vector<std::string> tables;
+    std::array<std::string, 2> tables;
     std::string key;
 };
 
-Path path_of(const std::string& dotted) {
-    Path path;
-    std::size_t at = 0;
-    for (auto dot = dotted.find('.'); dot != std::string::npos; dot = dotted.find('.', at)) {
-        path.tables.push_back(dotted.substr(at, dot - at));
-        at = dot + 1;
-    }
-    path.key = dotted.substr(at);
-    return path;
+Path path_of(const std::string& edit) {
+    const auto first = edit.find('.'), last = edit.rfind('.');
+    return {{edit.substr(0, first), edit.substr(first + 1, last - first - 1)}, edit.substr(last + 1)};
 }
 
 /// Speed and index are the same number, in two ways.
@@ -75,6 +71,27 @@ std::string with_translation(std::string text, const toml::array& steps, const s
     return text;
 }
 
+/// "name." of a line "name.key = " that ends where a value begins; empty if it is no such line.
+std::string dotted_prefix(const std::string& text, std::size_t value) {
+    const std::size_t line = text.rfind('\n', value) + 1; // npos + 1 is 0
+    const std::string before = text.substr(line, value - line);
+    const auto equals = before.find_last_not_of(" \t"), dot = before.rfind('.', equals);
+    const bool is_line = equals != std::string::npos && before[equals] == '=' && dot != std::string::npos &&
+                         before.find_first_of("{[,#") == std::string::npos;
+    return is_line ? before.substr(0, dot + 1) : "";
+}
+
+/// Text that a table without a line of its own, which lines "name.key = value" make, holds one entry more.
+std::string with_dotted_entry(const std::string& text, const toml::table& table, const std::string& entry) {
+    Bytes last{0, 0};
+    for (const auto& [key, node] : table)
+        if (const Bytes place = bytes_of(text, node); place.end > last.end) last = place;
+    const std::string prefix = dotted_prefix(text, last.begin);
+    if (prefix.empty()) return {};
+    const std::size_t line = std::min(text.find('\n', last.end), text.size());
+    return text.substr(0, line) + "\n" + prefix + entry + text.substr(line);
+}
+
 /// Text that the table holds one entry more.
 std::string with_entry(const std::string& text, const toml::table& table, const std::string& entry) {
     const auto [begin, end] = bytes_of(text, table);
@@ -86,7 +103,7 @@ std::string with_entry(const std::string& text, const toml::table& table, const 
         const std::size_t last = text.find_last_not_of(" \t", end - 2) + 1;
         return text.substr(0, last) + (table.empty() ? "" : ", ") + entry + text.substr(last);
     }
-    return {};
+    return with_dotted_entry(text, table, entry);
 }
 
 std::string with_edit(const std::string& file, const std::string& text, const std::string& name,
@@ -109,7 +126,7 @@ std::string with_edit(const std::string& file, const std::string& text, const st
     const std::string entry = path.key + " = " + (path.key == "transform" ? "[" + value + "]" : value);
     std::string longer = with_entry(text, *table, entry);
     if (longer.empty())
-        throw InputError(file, {}, name + " is not in the file, and its table has no line of its own");
+        throw InputError(file, {}, name + " is not in the file, and there is no line where it could be added");
     return longer;
 }
 
