@@ -36,7 +36,7 @@ Desk::Desk(cli::RayChoice choice) : choice_(std::move(choice)), style_{cli::Numb
 /// Nothing is changed yet.
 void Desk::begin(std::filesystem::path file) {
     file_ = std::move(file);
-    original_ = text_of(file_);
+    original_.reset();
     hash_ = content_hash(file_);
     edits_ = saved_ = {};
     before_.clear();
@@ -208,8 +208,9 @@ void Desk::save() {
     if (content_hash(file_) != hash_)
         throw std::runtime_error(file_.string() +
                                  " was changed by another program since it was opened: not saved");
-    // From the text as it was first read, with all values that differ from it; undone ones are not among them.
-    write_text_file(file_, with_edits(file_.string(), original_, edits_));
+    // From the text as it was opened, with all values that differ from it; undone ones are not among them.
+    if (!original_) original_ = text_of(file_);
+    write_text_file(file_, with_edits(file_.string(), *original_, edits_));
     hash_ = content_hash(file_);
     saved_ = edits_;
 }
