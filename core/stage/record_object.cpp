@@ -1,5 +1,9 @@
 #include "core/stage/record_object.hpp"
 
+#include "core/stage/record_search.hpp"
+
+#include <algorithm>
+
 namespace rayscope {
 namespace {
 
@@ -61,12 +65,48 @@ void record_compound(const World<N>& world, std::uint32_t object, const Ray<T>& 
     }
 }
 
+// How many generics a part of a program holds.
+int held_by_part(const Program& program, std::uint32_t extent, std::uint32_t end) {
+    const auto is_begin = [&](const Instruction& step) {
+        return step.kind == Instruction::Kind::extent && step.operand == extent;
+    };
+    return int(std::count_if(std::find_if(program.begin(), program.end(), is_begin), program.begin() + end,
+                             [](const Instruction& step) { return step.kind == Instruction::Kind::leaf; }));
+}
+
+// The boxes of parts that the search looks into, in its order.
+template <Numbers N, Scalar T = ScalarOf<N>>
+void record_parts(const World<N>& world, std::uint32_t object, const Ray<T>& ray,
+                  const LeavingSurface<T>* leaving, TraceRecorder& recorder) {
+    const Compound& compound = world.compounds[world.objects[object].index];
+    if (compound.extents.empty()) return;
+    Work<T> work;
+    work.tests_parts = true;
+    MissedParts<T> misses(compound, ray, leaving, work);
+    const SlabRay<T> slabs(ray, T(compound.size), most_distorted<T>,
+                           leaving != nullptr ? leaving->beside : T(0));
+    const auto push = [&](std::uint32_t solid) { append_crossings(world, solid, ray, leaving, work); };
+    run(std::span<const Instruction>(compound.program), work.scratch, push,
+        std::span<const PartExtent>(compound.extents), [&](std::uint32_t extent) {
+            if (misses(extent)) return true;
+            const auto& [box, end] = compound.extents[extent];
+            const BoxSpan<T> inside = slabs.span(as<T>(box));
+            PlaceEntered entered =
+                place_entered(PlaceKind::part, Id(extent), 0, held_by_part(compound.program, extent, end),
+                              as<T>(box), inside.enter, inside.exit);
+            entered.object = Id(object);
+            recorder.record(entered);
+            return false;
+        });
+}
+
 } // namespace
 
 template <Numbers N, Scalar T>
 void record_object(const World<N>& world, std::uint32_t object, const Ray<T>& ray, const Range<T>& range,
-                   const LeavingSurface<T>* leaving, TraceRecorder& recorder) {
+                   const LeavingSurface<T>* leaving, bool tests_parts, TraceRecorder& recorder) {
     Work<T> work; // its counts are not the tracer's
+    if (tests_parts && world.objects[object].is_compound) record_parts(world, object, ray, leaving, recorder);
     const Crossings<T> list = crossings(world, object, ray, leaving, work);
     if (world.objects[object].is_compound)
         record_compound(world, object, ray, leaving, recorder);
@@ -77,20 +117,22 @@ void record_object(const World<N>& world, std::uint32_t object, const Ray<T>& ra
 }
 
 template void record_object(const World<float>&, std::uint32_t, const Ray<float>&, const Range<float>&,
-                            const LeavingSurface<float>*, TraceRecorder&);
+                            const LeavingSurface<float>*, bool, TraceRecorder&);
 template void record_object(const World<Textbook<float>>&, std::uint32_t, const Ray<float>&,
-                            const Range<float>&, const LeavingSurface<float>*, TraceRecorder&);
+                            const Range<float>&, const LeavingSurface<float>*, bool, TraceRecorder&);
 template void record_object(const World<double>&, std::uint32_t, const Ray<double>&, const Range<double>&,
-                            const LeavingSurface<double>*, TraceRecorder&);
+                            const LeavingSurface<double>*, bool, TraceRecorder&);
 template void record_object(const World<Textbook<double>>&, std::uint32_t, const Ray<double>&,
-                            const Range<double>&, const LeavingSurface<double>*, TraceRecorder&);
+                            const Range<double>&, const LeavingSurface<double>*, bool, TraceRecorder&);
 template void record_object(const World<long double>&, std::uint32_t, const Ray<long double>&,
-                            const Range<long double>&, const LeavingSurface<long double>*, TraceRecorder&);
+                            const Range<long double>&, const LeavingSurface<long double>*, bool,
+                            TraceRecorder&);
 template void record_object(const World<Textbook<long double>>&, std::uint32_t, const Ray<long double>&,
-                            const Range<long double>&, const LeavingSurface<long double>*, TraceRecorder&);
+                            const Range<long double>&, const LeavingSurface<long double>*, bool,
+                            TraceRecorder&);
 template void record_object(const World<Float128>&, std::uint32_t, const Ray<Float128>&,
-                            const Range<Float128>&, const LeavingSurface<Float128>*, TraceRecorder&);
+                            const Range<Float128>&, const LeavingSurface<Float128>*, bool, TraceRecorder&);
 template void record_object(const World<Textbook<Float128>>&, std::uint32_t, const Ray<Float128>&,
-                            const Range<Float128>&, const LeavingSurface<Float128>*, TraceRecorder&);
+                            const Range<Float128>&, const LeavingSurface<Float128>*, bool, TraceRecorder&);
 
 } // namespace rayscope

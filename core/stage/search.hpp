@@ -72,7 +72,8 @@ public:
 
 private:
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
-        if constexpr (Recorder::enabled) record_object(world_, object, ray_, range_, start, recorder_);
+        if constexpr (Recorder::enabled)
+            record_object(world_, object, ray_, range_, start, work_.tests_parts, recorder_);
         if (const auto first = first_of_object(world_, object, ray_, range_, start, work_))
             nearest_.offer(*first);
     }
@@ -135,7 +136,8 @@ public:
 
 private:
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
-        if constexpr (Recorder::enabled) record_object(world_, object, ray_, range_, start, recorder_);
+        if constexpr (Recorder::enabled)
+            record_object(world_, object, ray_, range_, start, work_.tests_parts, recorder_);
         if (!world_.material_of(object).transmits()) {
             blocked_ = first_of_object(world_, object, ray_, range_, start, work_).has_value();
             return;

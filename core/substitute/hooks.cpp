@@ -228,7 +228,8 @@ crossings<Substituted, double>(const World<Substituted>& world, std::uint32_t ob
 template <>
 void record_object<Substituted, double>(const World<Substituted>& world, std::uint32_t object,
                                         const Ray<double>& ray, const Range<double>& range,
-                                        const LeavingSurface<double>* leaving, TraceRecorder& recorder) {
+                                        const LeavingSurface<double>* leaving, bool /*tests_parts*/,
+                                        TraceRecorder& recorder) {
     Work<double> work;
     const auto found = crossings(world, object, ray, leaving, work);
     const CrossingList list(found.begin(), found.end());

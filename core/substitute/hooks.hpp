@@ -77,6 +77,7 @@ crossings<Substituted, double>(const World<Substituted>& world, std::uint32_t ob
 template <>
 void record_object<Substituted, double>(const World<Substituted>& world, std::uint32_t object,
                                         const Ray<double>& ray, const Range<double>& range,
-                                        const LeavingSurface<double>* leaving, TraceRecorder& recorder);
+                                        const LeavingSurface<double>* leaving, bool tests_parts,
+                                        TraceRecorder& recorder);
 
 } // namespace rayscope

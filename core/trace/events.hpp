@@ -44,6 +44,7 @@ enum class PlaceKind : std::uint8_t {
     entry,      ///< of a tile's or a light cell's list: one object
     cell,       ///< of the octree, or a leaf of the bvh: objects
     node,       ///< of the octree or the bvh: cells and nodes
+    part,       ///< the box of a part of a compound: some of its generics
 };
 
 /// Why a search came to its end.
@@ -87,8 +88,8 @@ struct PlaceEntered {
     PlaceKind kind = PlaceKind::cell;
     Id place = none;  ///< its number in the stage
     int level = 0;    ///< its depth below the root of a tree
-    Id object = none; ///< extents and entries: the object
-    int held = 0;     ///< objects in it; of a node: children that are not empty
+    Id object = none; ///< extents, entries and parts: the object
+    int held = 0;     ///< objects in it; of a node: children that are not empty; of a part: generics
     Vec3d low{0},
         high{
             0}; ///< its box in world space; of a tile its first and last pixel; of a light's cell column and row

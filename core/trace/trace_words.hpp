@@ -20,7 +20,8 @@ template <> struct Words<StageKind> {
     static constexpr std::string_view list[] = {"scan", "extents", "projective", "light", "octree", "bvh"};
 };
 template <> struct Words<PlaceKind> {
-    static constexpr std::string_view list[] = {"extent", "tile", "light_cell", "entry", "cell", "node"};
+    static constexpr std::string_view list[] = {"extent", "tile", "light_cell", "entry",
+                                                "cell",   "node", "part"};
 };
 template <> struct Words<SearchEnd> {
     static constexpr std::string_view list[] = {"nothing_left", "beyond_reach", "blocked", "covered"};

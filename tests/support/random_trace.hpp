@@ -72,7 +72,7 @@ inline Event any_event(const Trace& trace) {
     case 13: return NotSpawned{RayKind(any_below(4)), reason(), any_double(), any_double()};
     case 14: return SearchBegan{StageKind(any_below(6)), any_int()};
     case 15:
-        return PlaceEntered{PlaceKind(any_below(6)),
+        return PlaceEntered{PlaceKind(any_below(7)),
                             any_int(),
                             any_int(),
                             any_below_or_none(trace.objects.size()),

@@ -138,6 +138,51 @@ TEST(SearchRecord, boxes_hold_the_ray_from_t_in_to_t_out_and_one_of_them_the_hit
     }
 }
 
+/// A row of balls along x, joined to one object.
+Scene chain_of_balls(int count) {
+    SceneBuilder b;
+    std::string all;
+    for (int i = 0; i < count; ++i) {
+        const std::string name = "b" + std::to_string(i);
+        b.operand(name, Sphere<double>{}, translation({3.0 * i, 0, 0}));
+        all += (i == 0 ? "" : " | ") + name;
+    }
+    b.compound("chain", all, b.material(SceneMaterial{}));
+    b.light({0, -50, 50});
+    return b.scene();
+}
+
+TEST(SearchRecord, of_a_compound_holds_the_boxes_of_its_parts_that_the_ray_enters) {
+    const Workbench bench = make_workbench(chain_of_balls(64));
+    const Ray<double> ray{{60.2, -10, 0.3}, {0, 1, 0}}; // at the ball in 60
+    for (const char* name : {"scan", "extents", "octree", "bvh"}) {
+        SCOPED_TRACE(name);
+        const Trace trace = trace_ray(bench, *make_stages(bench, stage_choice(name)), ray);
+        const TracedRay& eye = trace.rays.front();
+        std::vector<PlaceEntered> parts = all<PlaceEntered>(eye);
+        std::erase_if(parts, [](const PlaceEntered& place) { return place.kind != PlaceKind::part; });
+        const SearchEnded end = all<SearchEnded>(eye).at(0);
+        if (std::string(name) == "scan") {
+            EXPECT_TRUE(parts.empty());
+            EXPECT_EQ(end.missed, 0);
+            continue;
+        }
+        ASSERT_GE(parts.size(), 3U);
+        EXPECT_GE(end.missed, int(parts.size()) - 2) << "of two halves the ray misses one";
+        int held = 64;
+        for (const PlaceEntered& part : parts) { // one within the other
+            EXPECT_EQ(trace.objects[std::size_t(part.object)].name, "chain");
+            EXPECT_LE(part.held, held);
+            held = part.held;
+            EXPECT_LE(part.low.x, 59);
+            EXPECT_GE(part.high.x, 61);
+            EXPECT_LE(part.t_in, 9.05);
+            EXPECT_GE(part.t_out, 10.9);
+        }
+        EXPECT_LE(held, 8) << "a box around fewer balls saves nothing";
+    }
+}
+
 TEST(SearchRecord, says_why_it_ended) {
     const Workbench bench = make_workbench(crowd());
     const auto stages = make_stages(bench, stage_choice("light"));

@@ -31,9 +31,11 @@ public:
         return "the " + word(e.stage) + " looks for the hit among " + count(e.objects, "object");
     }
     std::string operator()(const PlaceEntered& e) const {
-        const std::string name = e.object != none ? word(e.kind) + " of " + object_name(trace_, e.object)
-                                                  : word(e.kind) + " " + std::to_string(e.place) +
-                                                        ", level " + std::to_string(e.level);
+        const std::string part = e.kind == PlaceKind::part ? " " + std::to_string(e.place) : "";
+        const std::string name =
+            e.object != none
+                ? word(e.kind) + part + " of " + object_name(trace_, e.object)
+                : word(e.kind) + " " + std::to_string(e.place) + ", level " + std::to_string(e.level);
         return "comes to " + name + " at t = " + number_(e.t_in) + " … " + number_(e.t_out) +
                ", which holds " + std::to_string(e.held);
     }

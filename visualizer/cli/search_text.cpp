@@ -16,14 +16,14 @@ struct Visit {
     const PlaceLeft* left = nullptr;
 };
 
-// Nothing lies in a place that holds objects but entries of its list, which are places, too.
+// Nothing lies in a place that holds objects but entries of its list and parts of its compounds, which are places, too.
 std::vector<Visit> visits_of(const TracedRay& ray) {
     std::vector<Visit> visits;
     std::size_t open = 0;
     for (const Event& event : ray.events) {
         if (const auto* place = std::get_if<PlaceEntered>(&event)) {
             visits.push_back({*place});
-            if (place->kind != PlaceKind::entry) open = visits.size() - 1;
+            if (place->kind != PlaceKind::entry && place->kind != PlaceKind::part) open = visits.size() - 1;
         } else if (const auto* left = std::get_if<PlaceLeft>(&event);
                    left != nullptr && open < visits.size()) {
             visits[open].left = left;
@@ -53,13 +53,16 @@ std::string place_text(const Trace& trace, const PlaceEntered& place, const Numb
         return "  " + object_name(trace, place.object) + ", nowhere nearer than " + number(place.t_in);
     case PlaceKind::cell: return "cell " + name + level + ": " + stretch(place, number);
     case PlaceKind::node: return "node " + name + level + ": " + stretch(place, number);
+    case PlaceKind::part:
+        return "  part " + name + " of " + object_name(trace, place.object) + ", " +
+               counted(place.held, "generic", "generics") + ": " + stretch(place, number);
     }
     return name;
 }
 
 std::string done_there(const Visit& visit) {
     if (visit.place.kind == PlaceKind::node) return "; " + counted(visit.place.held, "child", "children");
-    if (visit.place.kind == PlaceKind::extent || visit.place.kind == PlaceKind::entry) return "";
+    if (visit.place.object != none) return ""; // what it holds was told
     std::string text = "; holds " + std::to_string(visit.place.held);
     if (visit.left == nullptr) return text;
     text += ": " + counted(visit.left->tested, "test", "tests");

@@ -176,7 +176,9 @@ vtkSmartPointer<vtkPolyData> places_polydata(const Trace& trace) {
     for (std::size_t i = 0; i < trace.rays.size(); ++i)
         for (const Event& event : trace.rays[i].events)
             if (const auto* place = std::get_if<PlaceEntered>(&event);
-                place != nullptr && (place->kind == PlaceKind::cell || place->kind == PlaceKind::extent) &&
+                place != nullptr &&
+                (place->kind == PlaceKind::cell || place->kind == PlaceKind::extent ||
+                 place->kind == PlaceKind::part) &&
                 Box<double>{place->low, place->high}.bounded())
                 add_box(*place, i);
     lines.data->SetPoints(lines.points);

@@ -39,6 +39,7 @@ std::optional<OctreeFacts> octree_facts(const Trace& trace, int ray) {
     facts.objects = began->objects;
     for (const Event& event : traced.events) {
         if (const auto* place = std::get_if<PlaceEntered>(&event)) {
+            if (place->kind == PlaceKind::part) continue;
             const bool divided = place->kind == PlaceKind::node;
             facts.cells.push_back({divided ? CellFate::divided : CellFate::tested, place->level, place->held,
                                    0, place->t_in, place->t_out});

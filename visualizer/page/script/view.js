@@ -50,7 +50,7 @@ const view = (() => {
       lines.push({ from: hit.point, to: tip, colour: [0, 0.5, 0.35, 1], width: 3 });
     }
     for (const event of rays[walk.ray].events)
-      if (event.event === 'place_entered' && ['cell', 'extent'].includes(event.kind)) {
+      if (event.event === 'place_entered' && ['cell', 'extent', 'part'].includes(event.kind)) {
         const corner = i => [0, 1, 2].map(axis => number((i >> axis) & 1 ? event.high[axis] : event.low[axis]));
         for (let i = 0; i < 8; ++i)
           for (const axis of [1, 2, 4])
