@@ -222,7 +222,7 @@ ScreenExtents screen_extents(const Workbench& bench, int width, int height) {
                                       std::clamp(r.bottom, 0.0, double(screen.height)), r.nearest});
     for (const std::uint32_t id : view.apart) extents.apart.push_back(name(id));
 
-    const ProjectiveExtents<double> stage(std::move(view), screen.width, screen.height);
+    const ProjectiveExtents<double> stage(bench.world, view, screen.width, screen.height);
     extents.tile = stage.tile_pixels();
     extents.entries = Map((screen.width - 1) / extents.tile + 1, (screen.height - 1) / extents.tile + 1);
     for (int y = 0; y < extents.entries.height; ++y)

@@ -129,7 +129,7 @@ struct ScreenExtents {
         double nearest = 0;                              ///< the object's least distance from the eye
     };
     std::vector<Rectangle> rectangles; ///< nearest first
-    std::vector<std::string> apart;    ///< objects that every eye ray tests
+    std::vector<std::string> apart;    ///< objects without a rectangle: in no list
     int width = 0, height = 0;
     int tile = 0; ///< pixels along an edge
     Map entries;  ///< of each tile: the objects in its list

@@ -42,7 +42,10 @@ BoxTree BoxTreeBuilder::build() {
 
 auto BoxTreeBuilder::part(std::size_t first, std::size_t last) const -> Part {
     Part result{first, last, {}};
-    for (std::size_t i = first; i < last; ++i) result.box = united(result.box, items_[i].box);
+    for (std::size_t i = first; i < last; ++i) {
+        result.box = united(result.box, items_[i].box);
+        result.cost += items_[i].cost;
+    }
     return result;
 }
 
@@ -58,26 +61,30 @@ auto BoxTreeBuilder::best_cut(const Part& whole) const -> Cut {
         if (!is_finite(per_bin)) continue;
         std::array<Box<float>, bins> boxes{};
         std::array<std::size_t, bins> counts{};
+        std::array<float, bins> costs{};
         for (std::size_t i = whole.first; i < whole.last; ++i) {
             const auto bin =
                 std::size_t(minimum(float(bins - 1), (centre(items_[i].box, axis) - low) * per_bin));
             boxes[bin] = united(boxes[bin], items_[i].box);
             ++counts[bin];
+            costs[bin] += items_[i].cost;
         }
         std::array<float, bins> after{}; // cost of bins i … last
         Box<float> box;
-        std::size_t count = 0;
+        float side = 0;
         for (std::size_t i = bins; i-- > 1;) {
             box = united(box, boxes[i]);
-            count += counts[i];
-            after[i] = half_area(box) * float(count);
+            side += costs[i];
+            after[i] = half_area(box) * side;
         }
         box = {};
-        count = 0;
+        side = 0;
+        std::size_t count = 0;
         for (std::size_t i = 1; i < bins; ++i) {
             box = united(box, boxes[i - 1]);
+            side += costs[i - 1];
             count += counts[i - 1];
-            const float cost = half_area(box) * float(count) + after[i];
+            const float cost = half_area(box) * side + after[i];
             if (count > 0 && count < whole.size() && cost < best.cost)
                 best = {axis, low + float(i) / per_bin, cost};
         }
@@ -103,18 +110,16 @@ std::size_t BoxTreeBuilder::divide(const Part& whole, int depth) {
 
 std::uint32_t BoxTreeBuilder::make(const Part& whole, int depth) {
     tree_.depth = std::max(tree_.depth, depth);
-    if (whole.size() <= capacity_)
+    if (fits_a_leaf(whole))
         return make_leaf_(std::span(items_).subspan(whole.first, whole.size())) | Node8::leaf;
     std::array<Part, 8> parts{whole};
     std::size_t count = 1;
     while (count < 8) {
-        const auto weight = [&](const Part& p) {
-            return p.size() > capacity_ ? half_area(p.box) * float(p.size()) : -1.0F;
-        };
+        const auto weight = [&](const Part& p) { return fits_a_leaf(p) ? -1.0F : half_area(p.box) * p.cost; };
         auto* const largest =
             std::max_element(parts.begin(), parts.begin() + std::ptrdiff_t(count),
                              [&](const Part& a, const Part& b) { return weight(a) < weight(b); });
-        if (largest->size() <= capacity_) break;
+        if (fits_a_leaf(*largest)) break;
         const Part divided = *largest;
         const std::size_t middle = divide(divided, depth);
         *largest = part(divided.first, middle);

@@ -13,6 +13,13 @@ namespace rayscope {
 struct BoxedItem {
     Box<float> box;
     std::uint32_t index;
+    float cost = 1; ///< of a test of it
+};
+
+/// What a leaf holds at most; one item always.
+struct LeafLimits {
+    std::size_t items;
+    float cost = infinity<float>; ///< of all together
 };
 
 struct BoxTree {
@@ -27,15 +34,14 @@ struct BoxTree {
 
 /// The surface area heuristic (Goldsmith and Salmon 1987; binned: Wald 2007): a ray through a convex box goes through one
 /// within it with a chance of the ratio of their surfaces. Of all ways to part a set between bins of its centres the
-/// one with the least area · items is taken; the widest part is divided again until a node has eight.
+/// one with the least area · cost is taken; the widest part is divided again until a node has eight.
 class BoxTreeBuilder {
 public:
     /// Gives the items of a leaf a number, below Node8::leaf.
     using MakeLeaf = std::function<std::uint32_t(std::span<const BoxedItem>)>;
 
-    /// @param capacity of a leaf
-    BoxTreeBuilder(std::vector<BoxedItem> items, std::size_t capacity, MakeLeaf make_leaf)
-        : items_(std::move(items)), capacity_(capacity), make_leaf_(std::move(make_leaf)) {}
+    BoxTreeBuilder(std::vector<BoxedItem> items, const LeafLimits& limits, MakeLeaf make_leaf)
+        : items_(std::move(items)), limits_(limits), make_leaf_(std::move(make_leaf)) {}
 
     [[nodiscard]] BoxTree build();
 
@@ -44,6 +50,7 @@ private:
     struct Part {
         std::size_t first = 0, last = 0;
         Box<float> box;
+        float cost = 0;
 
         [[nodiscard]] std::size_t size() const { return last - first; }
     };
@@ -53,12 +60,15 @@ private:
     };
 
     [[nodiscard]] Part part(std::size_t first, std::size_t last) const;
+    [[nodiscard]] bool fits_a_leaf(const Part& part) const {
+        return part.size() <= 1 || (part.size() <= limits_.items && part.cost <= limits_.cost);
+    }
     [[nodiscard]] Cut best_cut(const Part& whole) const;
     [[nodiscard]] std::size_t divide(const Part& whole, int depth);
     [[nodiscard]] std::uint32_t make(const Part& whole, int depth);
 
     std::vector<BoxedItem> items_;
-    std::size_t capacity_;
+    LeafLimits limits_;
     MakeLeaf make_leaf_;
     BoxTree tree_;
 };

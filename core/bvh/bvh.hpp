@@ -6,12 +6,13 @@
 #include "core/stage/bins.hpp"
 #include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
+#include "core/stage/unboxed.hpp"
 
 namespace rayscope {
 
 struct BvhStatistics {
     std::size_t nodes = 0, leaves = 0;
-    std::size_t apart = 0; ///< objects without end, tested by every ray
+    std::size_t apart = 0; ///< objects without end: see Unboxed
     int depth = 0;
     std::size_t bytes = 0;
     double build_seconds = 0;
@@ -44,7 +45,7 @@ private:
     std::vector<Node8> nodes_;
     std::vector<std::uint32_t> places_of_nodes_, places_of_leaves_; // 8 · node + place, where each hangs
     Bins<N> bins_;                                                  // of the leaves
-    std::vector<std::uint32_t> apart_;
+    Unboxed<N> apart_;
     std::vector<std::uint32_t> all_; // bounded ones, for rays that no box can be relied on for
     double scale_ = 1, distortion_ = 3;
     BvhStatistics statistics_;
@@ -53,8 +54,7 @@ private:
 template <Numbers N>
 template <typename Search>
 void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
-    for (const std::uint32_t object : apart_)
-        if (search.test(object)) return;
+    if (apart_.test(search)) return;
     if (nodes_.empty()) return;
     const Ray8 ray(as<double>(search.ray()), scale_, distortion_);
     if (!ray.reliable()) {

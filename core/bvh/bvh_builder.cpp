@@ -1,20 +1,22 @@
 #include "core/bvh/bvh_builder.hpp"
 
-#include "core/stage/apart.hpp"
+#include "core/stage/test_cost.hpp"
 
 #include <chrono>
 
 namespace rayscope {
 namespace {
 
-constexpr std::size_t objects_a_leaf = 8; // of a leaf: as many balls as are tested at once
+// As many balls or triangles as are tested at once, but one compound alone: its box, tested with seven others, costs less
+// than it.
+constexpr LeafLimits leaf_limits{8, 12};
 
 } // namespace
 
 template <Numbers N> void BvhBuilder<N>::build() {
     const auto begin = std::chrono::steady_clock::now();
     BoxTree boxes =
-        BoxTreeBuilder(sort_out(), objects_a_leaf, [&](auto items) { return make_leaf(items); }).build();
+        BoxTreeBuilder(sort_out(), leaf_limits, [&](auto items) { return make_leaf(items); }).build();
     tree_.nodes_ = std::move(boxes.nodes);
     tree_.bins_.close();
     note_places();
@@ -44,13 +46,16 @@ template <Numbers N> void BvhBuilder<N>::note_places() {
 }
 
 template <Numbers N> std::vector<BoxedItem> BvhBuilder<N>::sort_out() {
-    const Reach reach = rayscope::sort_out(world_, tree_.apart_, tree_.all_);
+    std::vector<std::uint32_t> apart;
+    const Reach reach = rayscope::sort_out(world_, apart, tree_.all_);
+    tree_.apart_ = Unboxed<N>(world_, apart);
     tree_.distortion_ = reach.distortion;
     if (!tree_.all_.empty()) tree_.scale_ = tree_scale(reach.size());
     std::vector<BoxedItem> items;
     items.reserve(tree_.all_.size());
     for (const std::uint32_t id : tree_.all_)
-        items.push_back({scaled_outward(world_.objects[id].bounds, tree_.scale_), id});
+        items.push_back({scaled_outward(world_.objects[id].bounds, tree_.scale_), id,
+                         float(test_cost(world_, world_.objects[id]))});
     return items;
 }
 

@@ -14,8 +14,10 @@ int cells_for(std::size_t objects) {
 
 } // namespace
 
-template <Numbers N> LightExtents<N>::LightExtents(const World<N>& world) : world_(world) {
-    reach_ = sort_out(world, apart_, together_);
+template <Numbers N> LightExtents<N>::LightExtents(const World<N>& world) : world_(world), balls_(world) {
+    std::vector<std::uint32_t> apart;
+    reach_ = sort_out(world, apart, together_);
+    apart_ = Unboxed<N>(world, apart);
     farthest_ = 1024 * reach_.size();
     margin_ = reach_.margin(farthest_);
     for (const Light& light : world.lights)
@@ -34,18 +36,20 @@ template <Numbers N> auto LightExtents<N>::view_of(const Light& light) const -> 
         view.look(towards);
         Rectangles seen = rectangles(view);
         const bool all_before = std::ranges::all_of(seen, [](const auto& r) { return r.has_value(); });
-        if (all_before) result.aside = set_aside(seen);
+        std::vector<std::uint32_t> aside;
+        if (all_before) aside = set_aside(seen);
         if (all_before && fit(view, seen)) {
+            result.aside = Unboxed<N>(world_, aside);
             result.windows.push_back(window(view, seen));
             return result;
         }
-        result.aside.clear();
     }
     // The light stands among the objects: the six sides of a cube around it.
     constexpr double overlap = 8 * double(epsilon<float>); // of neighbouring sides
     view.left = view.top = -1 - overlap;
     view.width = view.height = 2 + 2 * overlap;
     view.cells = std::max(16, view.cells / 2);
+    view.cut();
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
             Vec3d direction{0};
@@ -118,6 +122,7 @@ template <Numbers N> bool LightExtents<N>::fit(LightView& view, const Rectangles
     view.height = (all.bottom - all.top) * (1 + 2 * edge);
     view.left = all.left - edge * (all.right - all.left);
     view.top = all.top - edge * (all.bottom - all.top);
+    view.cut();
     return view.width > 0 && view.height > 0;
 }
 

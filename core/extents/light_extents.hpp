@@ -4,9 +4,10 @@
 #include "core/extents/cell_lists.hpp"
 #include "core/extents/light_view.hpp"
 #include "core/extents/view_rectangle.hpp"
-#include "core/stage/apart.hpp"
+#include "core/stage/ball_filter.hpp"
 #include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
+#include "core/stage/unboxed.hpp"
 
 namespace rayscope {
 
@@ -32,8 +33,7 @@ private:
     };
     struct LightsView {
         std::vector<Window> windows;
-        std::vector<std::uint32_t>
-            aside; ///< so large that a window for them would have no cells left for the others
+        Unboxed<N> aside; ///< so large that a window for them would have no cells left for the others
     };
     using Rectangles = std::vector<std::optional<ViewRectangle>>; // of the objects together_
 
@@ -47,7 +47,9 @@ private:
     void cover(Window& window, const Object& object, const CellLists::Item& item) const;
 
     const World<N>& world_;
-    std::vector<std::uint32_t> apart_, together_;
+    BallFilter<N> balls_;
+    Unboxed<N> apart_;
+    std::vector<std::uint32_t> together_;
     Reach reach_;
     double farthest_ = 0, margin_ = 0; // where rays may start; by how much objects are larger for it
     std::vector<LightsView> lights_;
@@ -85,17 +87,17 @@ void LightExtents<N>::look(const RayUse& use, Search& search) const {
                 }
                 if constexpr (Search::recording)
                     search.recorder().record(entry_read(entry.object, entry.nearest));
-                if (search.test(entry.object)) return;
+                if (!balls_.misses(entry.object, search.ray(), search.work().counters) &&
+                    search.test(entry.object))
+                    return;
             }
             if constexpr (Search::recording)
                 search.recorder().record(place_left(before, counters.objects, entries.size()));
             break;
         }
-        for (const std::uint32_t object : light.aside)
-            if (search.test(object)) return;
+        if (light.aside.test(search)) return;
     }
-    for (const std::uint32_t object : apart_)
-        if (search.test(object)) return;
+    (void)apart_.test(search);
 }
 
 template <Numbers N>

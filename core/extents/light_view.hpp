@@ -12,9 +12,15 @@ struct LightView {
     bool parallel = false; ///< of a light that is infinitely far away: z counts along its rays
     Vec3d position{0};
     Vec3d right{1, 0, 0}, down{0, 1, 0}, forward{0, 0, 1};
-    double left = -1, top = -1, width = 2, height = 2; ///< in slopes, or, parallel, in world lengths
-    int cells = 1;                                     ///< along each edge
+    double left = -1, top = -1, width = 2, height = 2;    ///< in slopes, or, parallel, in world lengths
+    int cells = 1;                                        ///< along each edge
+    double columns_per_slope = 0.5, rows_per_slope = 0.5; ///< see cut()
 
+    /// To be called when the window has its place and its number of cells.
+    void cut() {
+        columns_per_slope = cells / width;
+        rows_per_slope = cells / height;
+    }
     /// Axes for a view in this direction.
     void look(const Vec3d& direction) {
         forward = normalized(direction);
@@ -33,8 +39,8 @@ struct LightView {
     [[nodiscard]] double distance(const Vec3d& seen) const { return parallel ? seen.z : length(seen); }
 
     /// The cell along one axis, as a real number.
-    [[nodiscard]] double column(double x) const { return (x - left) / width * cells; }
-    [[nodiscard]] double row(double y) const { return (y - top) / height * cells; }
+    [[nodiscard]] double column(double x) const { return (x - left) * columns_per_slope; }
+    [[nodiscard]] double row(double y) const { return (y - top) * rows_per_slope; }
 
     struct Cell {
         int x, y;
@@ -42,8 +48,8 @@ struct LightView {
     /// The cell in which a point is seen; none if it is not seen through this window.
     [[nodiscard]] std::optional<Cell> cell(const Vec3d& seen) const {
         if (!parallel && !(seen.z > 0)) return std::nullopt;
-        const double x = column(parallel ? seen.x : seen.x / seen.z);
-        const double y = row(parallel ? seen.y : seen.y / seen.z);
+        const double per_slope = parallel ? 1 : 1 / seen.z;
+        const double x = column(seen.x * per_slope), y = row(seen.y * per_slope);
         if (!(x >= 0 && x < cells && y >= 0 && y < cells)) return std::nullopt;
         return Cell{int(x), int(y)};
     }

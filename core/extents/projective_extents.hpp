@@ -3,9 +3,10 @@
 
 #include "core/extents/cell_lists.hpp"
 #include "core/extents/view_rectangle.hpp"
-#include "core/stage/apart.hpp"
+#include "core/stage/ball_filter.hpp"
 #include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
+#include "core/stage/unboxed.hpp"
 #include "core/world/camera.hpp"
 
 namespace rayscope {
@@ -51,8 +52,8 @@ template <Numbers N> class ProjectiveExtents {
 public:
     static constexpr int tile = 8; ///< pixels along an edge
 
-    /// @param view of a screen of this size
-    ProjectiveExtents(ScreenView view, int width, int height);
+    /// @param view of the world, on a screen of this size
+    ProjectiveExtents(const World<N>& world, const ScreenView& view, int width, int height);
 
     /// True for rays through a pixel of the screen.
     [[nodiscard]] bool knows(const RayUse& use) const {
@@ -73,12 +74,13 @@ private:
 
     int width_, height_;
     CellLists lists_;
-    std::vector<std::uint32_t> apart_; // tested by every ray
+    BallFilter<N> balls_;
+    Unboxed<N> apart_;
 };
 
 template <Numbers N>
-ProjectiveExtents<N>::ProjectiveExtents(ScreenView view, int width, int height)
-    : width_(width), height_(height), apart_(std::move(view.apart)) {
+ProjectiveExtents<N>::ProjectiveExtents(const World<N>& world, const ScreenView& view, int width, int height)
+    : width_(width), height_(height), balls_(world), apart_(world, view.apart) {
     // To a tile, which is one of the screen's own; a rectangle may reach beyond, and rounding by a part of a pixel.
     constexpr double rounding = 0x1p-10;
     const auto tile_of = [](double pixel, int size) {
@@ -95,8 +97,7 @@ ProjectiveExtents<N>::ProjectiveExtents(ScreenView view, int width, int height)
 template <Numbers N>
 template <typename Search>
 void ProjectiveExtents<N>::look(const RayUse& use, Search& search) const {
-    for (const std::uint32_t object : apart_)
-        if (search.test(object)) return;
+    if (apart_.test(search)) return;
     const Counters& counters = search.work().counters;
     ++search.work().counters.cells;
     const auto entries = list_at(use.x, use.y);
@@ -108,7 +109,8 @@ void ProjectiveExtents<N>::look(const RayUse& use, Search& search) const {
             break;
         }
         if constexpr (Search::recording) search.recorder().record(entry_read(entry.object, entry.nearest));
-        if (search.test(entry.object)) break;
+        if (!balls_.misses(entry.object, search.ray(), search.work().counters) && search.test(entry.object))
+            break;
     }
     if constexpr (Search::recording)
         search.recorder().record(place_left(before, counters.objects, entries.size()));

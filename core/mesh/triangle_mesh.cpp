@@ -39,7 +39,7 @@ TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)), hole_(find_h
         groups_.end_group();
         return first << count_bits | std::uint32_t(leaf.size() - 1);
     };
-    nodes_ = BoxTreeBuilder(std::move(items), triangles_a_leaf, make_leaf).build().nodes;
+    nodes_ = BoxTreeBuilder(std::move(items), {triangles_a_leaf}, make_leaf).build().nodes;
     groups_.close();
 }
 

@@ -27,7 +27,7 @@ struct OctreeStatistics {
     int depth = 0;                     ///< of the deepest leaf
     std::size_t nodes = 0, leaves = 0; ///< divided cells; leaves that hold anything
     std::size_t entries = 0;           ///< objects in all leaves, each as often as it is listed
-    std::size_t apart = 0;             ///< objects without end, tested by every ray
+    std::size_t apart = 0;             ///< objects without end: see Unboxed
     std::size_t bytes = 0;
     double build_seconds = 0;
 };

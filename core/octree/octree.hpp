@@ -6,13 +6,14 @@
 #include "core/stage/bins.hpp"
 #include "core/stage/record_search.hpp"
 #include "core/stage/search.hpp"
+#include "core/stage/unboxed.hpp"
 
 namespace rayscope {
 
 /// An octree in world space. (After the projection, where the notes put it, angles are others, and what lies behind the
 /// eye is nowhere: a mirrored ray could not use it.) A cell lists the objects whose surface may pass through it, and
 /// knows the extent of what they have in it; an object without end, or one whose matrix distorts so much that rounding
-/// could carry its crossings far, is kept apart and tested by every ray.
+/// could carry its crossings far, is kept apart (see Unboxed).
 template <Numbers N> class Octree : public StageBase<N, Octree<N>> {
 public:
     using T = ScalarOf<N>;
@@ -75,9 +76,9 @@ private:
 
     std::uint32_t root_ = leaf;
     std::vector<OctreeNode> nodes_;
-    Bins<N> bins_;                     // of the leaves
-    std::vector<std::uint32_t> apart_; // tested by every ray
-    std::vector<std::uint32_t> all_;   // bounded ones, for rays that no box can be relied on for
+    Bins<N> bins_; // of the leaves
+    Unboxed<N> apart_;
+    std::vector<std::uint32_t> all_; // bounded ones, for rays that no box can be relied on for
     Cell whole_{Vec3d{0}, 0};
     Box<double> bounds_;
     double size_ = 0, distortion_ = 3;
@@ -87,8 +88,7 @@ private:
 template <Numbers N>
 template <typename Search>
 void Octree<N>::look(const RayUse& /*use*/, Search& search) const {
-    for (const std::uint32_t object : apart_)
-        if (search.test(object)) return;
+    if (apart_.test(search)) return;
     if (all_.empty()) return;
     const SlabRay<double> ready = slabs(search.ray());
     if (!ready.reliable()) {

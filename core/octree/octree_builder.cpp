@@ -1,7 +1,5 @@
 #include "core/octree/octree_builder.hpp"
 
-#include "core/stage/apart.hpp"
-
 #include <chrono>
 
 #include <fmt/format.h>
@@ -52,7 +50,9 @@ template <Numbers N> void OctreeBuilder<N>::build() {
 
 // The whole is a cube from the lowest corner on: what is flat then lies at its border, and no division cuts it in two.
 template <Numbers N> void OctreeBuilder<N>::sort_out() {
-    const Reach reach = rayscope::sort_out(world_, tree_.apart_, tree_.all_);
+    std::vector<std::uint32_t> apart;
+    const Reach reach = rayscope::sort_out(world_, apart, tree_.all_);
+    tree_.apart_ = Unboxed<N>(world_, apart);
     const double size = reach.size();
     tree_.bounds_ = reach.bounds;
     if (!tree_.all_.empty())

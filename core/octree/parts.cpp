@@ -1,20 +1,8 @@
 #include "core/octree/parts.hpp"
 
-#include "core/stage/free_triangle.hpp"
+#include "core/stage/test_cost.hpp"
 
 namespace rayscope {
-namespace {
-
-// Measured: what a triangle of eight, and a generic, cost in units of a ball of eight.
-constexpr double ball_cost = 1, triangle_cost = 1.5, generic_cost = 6;
-
-template <Numbers N> double cost_to_test(const World<N>& world, const Object& object) {
-    if (world.is_ball(object)) return ball_cost;
-    if (!object.is_compound) return free_triangle(world, object) != nullptr ? triangle_cost : generic_cost;
-    return generic_cost * double(world.compounds[object.index].nodes.size());
-}
-
-} // namespace
 
 template <Numbers N> void OctreeParts<N>::prepare(std::span<const std::uint32_t> objects, double margin) {
     margin_ = margin;
@@ -22,7 +10,7 @@ template <Numbers N> void OctreeParts<N>::prepare(std::span<const std::uint32_t>
     for (const std::uint32_t id : objects) {
         const Object& object = world_.objects[id];
         Brief& brief = brief_[id];
-        brief.cost = float(cost_to_test(world_, object));
+        brief.cost = float(test_cost(world_, object));
         if (!world_.is_ball(object)) continue;
         const Solid<N>& ball = world_.solids[object.index];
         brief.centre = as<double>(ball.transform.translation());
@@ -96,7 +84,7 @@ void OctreeParts<N>::share_ball(const Brief& ball, std::uint32_t object, const C
     for (unsigned child = 0; child < 8; ++child) {
         const std::size_t x = child & 1U, y = child >> 1U & 1U, z = child >> 2U;
         if (least[0][x] + least[1][y] + least[2][z] <= outer && most[0][x] + most[1][y] + most[2][z] >= inner)
-            add(child, object, bounds, ball_cost);
+            add(child, object, bounds, double(brief_[object].cost));
     }
 }
 

@@ -1,5 +1,7 @@
 #include "core/tracer/stage_set.hpp"
 
+#include "core/stage/test_cost.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -8,8 +10,19 @@
 namespace rayscope {
 namespace {
 
-// Measured: up to so many objects a ray tests them all sooner than it walks through anything.
-constexpr std::size_t few = 12;
+// Measured: what costs a ray no more than so many balls, tested eight at a time, it tests sooner than it walks through
+// anything.
+constexpr double few = 16;
+
+// Every stage tests what has no end. A compound that is asked only where the ray meets one ball costs about a generic.
+double cost_of_scan(const World<double>& world) {
+    constexpr double of_guarded = 6;
+    double sum = 0;
+    for (const Object& object : world.objects)
+        if (object.bounds.bounded())
+            sum += object.is_compound && deciding_ball(world, object) ? of_guarded : test_cost(world, object);
+    return sum;
+}
 
 } // namespace
 
@@ -33,7 +46,7 @@ void StageSet::build(StageKind kind, const std::optional<Screen>& screen) {
     case StageKind::bvh: once(bvh_); break;
     case StageKind::projective:
         projective_ = std::make_unique<ProjectiveExtents<double>>(
-            screen_view(world_, screen->eye_rays, screen->width, screen->height), screen->width,
+            world_, screen_view(world_, screen->eye_rays, screen->width, screen->height), screen->width,
             screen->height);
         break;
     }
@@ -44,7 +57,8 @@ BestChoice best_choice(const World<double>& world) {
     const std::string objects = fmt::format("{} object{}", count, count == 1 ? "" : "s");
     const bool parts_apart = std::ranges::any_of(
         world.compounds, [](const Compound& compound) { return !compound.extents.empty(); });
-    if (count <= few && !parts_apart)
+    const double cost = cost_of_scan(world);
+    if (cost <= few && !parts_apart)
         return {rungs.front().choice,
                 objects + ": to test all of them is quicker than to look for those that matter"};
     const auto polygons = std::ranges::count_if(world.objects, [&](const Object& object) {
@@ -55,7 +69,8 @@ BestChoice best_choice(const World<double>& world) {
         return {{StageKind::bvh, StageKind::bvh, StageKind::bvh},
                 objects + ", mostly polygons: in boxes they are tested eight at a time, in lists one by one"};
     return {{StageKind::projective, StageKind::light, StageKind::bvh},
-            objects + (count <= few ? ", with boxes around parts of a compound" : "") +
+            objects + (parts_apart ? ", with boxes around parts of a compound" : "") +
+                (cost > 2 * double(count) ? fmt::format(", as dear to test as {:.0f} balls", cost) : "") +
                 ": the screen and each light list what they see in every direction; mirrored and refracted "
                 "rays walk through boxes"};
 }

@@ -26,6 +26,12 @@ TEST(BestChoice, tests_a_few_objects_one_by_one) {
     EXPECT_THAT(choice_for(Sphere<double>{}, 1).reason, HasSubstr("1 object:"));
 }
 
+TEST(BestChoice, looks_for_a_few_dear_ones) {
+    const BestChoice best = choice_for(Torus<double>{}, 4);
+    EXPECT_EQ(best.choice.eye, StageKind::projective);
+    EXPECT_THAT(best.reason, HasSubstr("4 objects, as dear to test as 24 balls"));
+}
+
 TEST(BestChoice, keeps_lists_of_solids_and_boxes_of_polygons) {
     const StageChoice solids = choice_for(Torus<double>{}, 100).choice;
     EXPECT_EQ(solids.eye, StageKind::projective);

@@ -88,7 +88,7 @@ private:
 
 std::string apart_text(const ScreenExtents& extents) {
     if (extents.apart.empty()) return "Every object has a rectangle";
-    std::string text = "Without a rectangle, tested by every eye ray: ";
+    std::string text = "Without a rectangle, in no list: ";
     for (std::size_t i = 0; i < extents.apart.size(); ++i) text += (i == 0 ? "" : ", ") + extents.apart[i];
     return text;
 }

@@ -140,7 +140,7 @@ void MainWindow::show_octree() {
     octree.show_ray(
         trace, desk.ray(), all.depth,
         QString("The whole octree: %1 levels, %2 divided cells, %3 undivided ones with objects in "
-                "them, on average %4 each; %5 objects without end, tested by every ray.")
+                "them, on average %4 each; %5 objects without end, in no cell.")
             .arg(all.depth)
             .arg(all.nodes)
             .arg(all.leaves)

@@ -1,0 +1,72 @@
+#pragma once
+// Objects that a stage has no place for: every ray is tested against them.
+
+#include "core/stage/apart.hpp"
+
+#include <vector>
+
+namespace rayscope {
+
+/// But for planes and polygons that the ray surely keeps on one side of it: few shadow rays that start above a floor come
+/// from a light below.
+template <Numbers N> class Unboxed {
+public:
+    using T = ScalarOf<N>;
+
+    Unboxed() = default;
+    Unboxed(const World<N>& world, const std::vector<std::uint32_t>& objects) {
+        for (const std::uint32_t object : objects) entries_.push_back(entry(world, object));
+    }
+
+    /// Calls search.test(object) for each that the search's ray may meet, until it returns true; so does this then.
+    template <typename Search> bool test(Search& search) const {
+        for (const Entry& entry : entries_)
+            if (may_meet(entry, search.ray(), search.reach()) && search.test(entry.object)) return true;
+        return false;
+    }
+    [[nodiscard]] std::size_t size() const { return entries_.size(); }
+
+private:
+    struct Entry {
+        std::uint32_t object;
+        Vec3<T> normal{T(0)}; ///< unit; of the plane that it lies in
+        T offset = T(0);      ///< normal · p of its points
+        T size = infinity<T>; ///< its farthest coordinate that rounding takes part in; it is no plane
+        T rounding = T(0);    ///< relative to coordinates, as SlabRay has it
+    };
+
+    [[nodiscard]] static Entry entry(const World<N>& world, std::uint32_t id) {
+        const Object& object = world.objects[id];
+        if (object.is_compound) return {id};
+        const Solid<N>& solid = world.solids[object.index];
+        Vec3<T> point{T(0)}, normal{T(0), T(0), T(1)};
+        T size = T(0); // of a polygon
+        if (const auto* polygon = std::get_if<Polygon<N>>(&solid.shape)) {
+            point = polygon->vertices().front();
+            normal = polygon->normal(point, 0);
+            const Box<T> box = as<T>(object.bounds);
+            size = largest_component(maximum_of(absolute(box.low), absolute(box.high)));
+        } else if (!std::holds_alternative<Plane<N>>(solid.shape)) {
+            return {id};
+        }
+        const Vec3<T> moved = Vec3<T>(solid.transform.matrix() * glm::tvec4<T>(point, T(1)));
+        normal = solid.transform.normal_to_world(normal);
+        return {id, normal, dot(normal, moved), maximum(size, largest_component(absolute(moved))),
+                T(64) * epsilon<T> * solid.transform.distortion()};
+    }
+
+    /// False: for 0 ≤ t ≤ reach the ray stays farther from the plane than rounding can carry a crossing.
+    [[nodiscard]] static bool may_meet(const Entry& entry, const Ray<T>& ray, T reach) {
+        const T height = dot(entry.normal, ray.origin) - entry.offset;
+        const T rises = dot(entry.normal, ray.direction);
+        const T away = height > T(0) ? rises : -rises, step = largest_component(absolute(ray.direction));
+        const T far = largest_component(absolute(ray.origin)) + entry.size;
+        if (!(magnitude(height) > entry.rounding * far)) return true;
+        if (away > entry.rounding * step) return false;
+        return !(magnitude(height) + reach * away > entry.rounding * (far + reach * step));
+    }
+
+    std::vector<Entry> entries_;
+};
+
+} // namespace rayscope
