@@ -76,8 +76,7 @@ void rectangles() {
     for (const auto& r : screen.rectangles)
         fmt::print("  {:<7} x {:.1f} to {:.1f}, y {:.1f} to {:.1f}, no nearer than {:.4f}\n", r.name, r.left,
                    r.right, r.top, r.bottom, r.nearest);
-    for (const std::string& name : screen.apart)
-        fmt::print("  {:<7} has no end, and no rectangle\n", name);
+    for (const std::string& name : screen.apart) fmt::print("  {:<7} has no end, and no rectangle\n", name);
     fmt::print("\n");
 }
 
