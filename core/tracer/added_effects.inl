@@ -6,7 +6,8 @@
 namespace rayscope {
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
-Colour Tracer<N, Stage, Recorder, Order, mask>::shade_hit_with_effects(const Ray<T>& ray, Interaction<N> at,
+Colour Tracer<N, Stage, Recorder, Order, mask>::shade_hit_with_effects(RayKind kind, const Ray<T>& ray,
+                                                                       Interaction<N> at,
                                                                        const Budget& budget, int tested) {
     if (budget.wavelength > 0) set_speeds(at, double(budget.wavelength));
     std::optional<EvenMaterials> even;
@@ -30,6 +31,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade_hit_with_effects(const Ray
         local *= passed;
         colour *= passed;
     }
+    if (keeps_brought_) brought_.add(kind, budget.weight * local);
     if constexpr (Recorder::enabled) recorder_.record(RayFinished{local, colour, tested});
     return colour;
 }

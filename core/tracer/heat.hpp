@@ -1,6 +1,7 @@
 #pragma once
-// What a pixel costs, in place of its colour.
+// What a pixel costs, or which rays bring its light, in place of its colour.
 
+#include "core/trace/events.hpp"
 #include "core/world/counters.hpp"
 
 #include <ctime>
@@ -17,32 +18,60 @@ enum class Heat : std::uint8_t {
     rays,
     samples,
     dropped, ///< weight of the rays that the limits cut off
+    // Of the pixel's light, mean of R, G and B, what these rays find themselves. They add up to all of it.
+    direct, ///< eye rays
+    reflected,
+    refracted,
 };
+[[nodiscard]] inline bool is_light(Heat heat) { return heat >= Heat::direct; }
+/// The tracer itself knows it of each trace; all others are counted, or time.
+[[nodiscard]] inline bool is_of_trace(Heat heat) {
+    return heat == Heat::depth || heat == Heat::dropped || is_light(heat);
+}
 
 /// By Heat.
 struct HeatName {
     std::string_view name, meaning;
 };
-inline constexpr std::array<HeatName, 7> heat_names{
+inline constexpr std::array<HeatName, 10> heat_names{
     {{"tests", "generics tested for each pixel"},
      {"cells", "cells, lists, nodes and boxes visited for each pixel"},
      {"depth", "depth of each pixel's deepest ray"},
      {"time", "processor time of each pixel in microseconds"},
      {"rays", "rays traced for each pixel, shadow rays included"},
      {"samples", "samples taken of each pixel"},
-     {"dropped", "weight of the rays that the limits cut off each pixel"}}};
+     {"dropped", "weight of the rays that the limits cut off each pixel"},
+     {"direct", "light of each pixel that its eye ray finds itself"},
+     {"reflected", "light of each pixel that reflected rays bring"},
+     {"refracted", "light of each pixel that refracted rays bring"}}};
 
-/// Measures one pixel, from its making on.
+/// Light, by the kind of the rays that bring it to the eye.
+struct BroughtLight {
+    std::array<Colour, 3> by_kind{Colour{0}, Colour{0}, Colour{0}}; ///< eye, reflected, refracted
+
+    void add(RayKind kind, const Colour& light) { by_kind[std::size_t(kind)] += light; }
+    [[nodiscard]] double mean(RayKind kind) const {
+        const Colour& light = by_kind[std::size_t(kind)];
+        return (light.x + light.y + light.z) / 3;
+    }
+};
+
+/// Of a tracer's last trace, where it is_of_trace.
+template <typename Tracer> [[nodiscard]] float heat_of_trace(Heat heat, const Tracer& tracer) {
+    if (heat == Heat::depth) return float(tracer.deepest());
+    if (heat == Heat::dropped) return float(tracer.dropped());
+    if constexpr (Tracer::all_effects)
+        return float(tracer.brought().mean(RayKind(int(heat) - int(Heat::direct))));
+    return 0;
+}
+
+/// Measures what is counted, or time, of one pixel, from its making on.
 class HeatMeter {
 public:
     HeatMeter(Heat heat, const Counters& counters)
         : heat_(heat), counters_(counters), before_(counted()), start_(processor_time()) {}
 
-    /// @param deepest the depth of the deepest ray
-    /// @param dropped weight of the rays that the limits cut off
-    [[nodiscard]] float value(int deepest, double dropped) const {
-        if (heat_ == Heat::depth) return float(deepest);
-        if (heat_ == Heat::dropped) return float(dropped);
+    [[nodiscard]] float value() const {
         if (heat_ == Heat::time) return float(processor_time() - start_);
         return float(counted() - before_);
     }
@@ -65,7 +94,10 @@ private:
         case Heat::depth:
         case Heat::time:
         case Heat::samples:
-        case Heat::dropped: break; // not counted
+        case Heat::dropped:
+        case Heat::direct:
+        case Heat::reflected:
+        case Heat::refracted: break; // not counted
         }
         return 0;
     }

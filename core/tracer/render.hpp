@@ -24,7 +24,7 @@ struct RenderOptions {
     int threads = 0;                  ///< 0: one for each processor
     std::optional<StageChoice> stage; ///< of double stable; none: the quickest for the scene
     bool all_effects = false;         ///< by the tracer with all effects, also where the classic one would do
-    std::optional<Heat> heat;         ///< also measure what each pixel costs
+    std::optional<Heat> heat;         ///< also measure what each pixel costs, or who brings its light
     std::function<void(double)> progress;    ///< called with 0 … 1, by one thread at a time
     const std::atomic<bool>* stop = nullptr; ///< set to true from outside: the render ends soon, incomplete
 };

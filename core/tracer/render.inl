@@ -60,6 +60,9 @@ public:
         });
         if (samples_ > 1 && result_.complete) smooth(uneven_pixels(result_.image, seen));
         if (options_.heat == Heat::samples) result_.heat = samples_ > 1 ? result_.samples : even_map(1);
+        if (options_.heat && is_light(*options_.heat) && samples_ > 1) // the mean, as of the colour
+            std::ranges::transform(result_.heat.values, result_.samples.values, result_.heat.values.begin(),
+                                   [](float sum, float samples) { return sum / std::max(samples, 1.0F); });
         for (const Work<T>& work : works_) result_.statistics.counters += work.counters;
         result_.statistics.cpu_seconds = stopwatch_.cpu_seconds();
         result_.statistics.wall_seconds = stopwatch_.wall_seconds();
@@ -90,15 +93,17 @@ private:
             NullRecorder recorder;
             Work<T>& work = works_.local();
             PixelTracer tracer(world_, stage_, work, recorder);
-            if constexpr (mask == EffectMask::all)
+            if constexpr (mask == EffectMask::all) {
                 if (samples_ > 1) tracer.keep_first_seen();
+                if (options_.heat && is_light(*options_.heat)) tracer.keep_brought();
+            }
             for (int y = tile.top; y < tile.bottom; ++y) {
                 for (int x = tile.left; x < tile.right; ++x) {
                     std::optional<HeatMeter> meter;
-                    if (options_.heat) meter.emplace(*options_.heat, work.counters);
+                    if (options_.heat && !is_of_trace(*options_.heat))
+                        meter.emplace(*options_.heat, work.counters);
                     pixel(tracer, x, y);
-                    if (meter)
-                        add_heat(result_.heat.at(x, y), meter->value(tracer.deepest(), tracer.dropped()));
+                    if (meter) add_heat(x, y, meter->value());
                 }
             }
         });
@@ -108,11 +113,15 @@ private:
         std::ranges::fill(map.values, value);
         return map;
     }
-    void add_heat(float& heat, float value) const {
+    void add_heat(int x, int y, float value) {
+        float& heat = result_.heat.at(x, y);
         heat = options_.heat == Heat::depth ? std::max(heat, value) : heat + value;
     }
-    [[nodiscard]] Colour trace(PixelTracer& tracer, const SampleAddress& sample) const {
-        return tracer.trace(as<T>(eye_rays_.of(sample)), sample);
+    [[nodiscard]] Colour trace(PixelTracer& tracer, const SampleAddress& sample) {
+        const Colour colour = tracer.trace(as<T>(eye_rays_.of(sample)), sample);
+        if (options_.heat && is_of_trace(*options_.heat))
+            add_heat(sample.x, sample.y, heat_of_trace(*options_.heat, tracer));
+        return colour;
     }
     [[nodiscard]] std::size_t index(int x, int y) const {
         return std::size_t(y) * std::size_t(width_) + std::size_t(x);
@@ -143,7 +152,8 @@ template <Numbers N>
 RenderResult render(const World<N>& world, const Camera& camera, const RenderOptions& options) {
     if constexpr (has_classic_tracer<N>) {
         const int samples = options.samples > 0 ? options.samples : camera.samples;
-        if (world.effects == EffectMask::classic && samples == 1 && !options.all_effects)
+        const bool notes_light = options.heat && is_light(*options.heat);
+        if (world.effects == EffectMask::classic && samples == 1 && !options.all_effects && !notes_light)
             return render_with<N, EffectMask::classic>(world, camera, options);
     }
     return render_with<N, EffectMask::all>(world, camera, options);

@@ -18,6 +18,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::trace(const Ray<T>& ray, const R
         if (adds_) {
             budget.path = seed;
             seen_ = {};
+            brought_ = {};
             spectrum_.clear();
             if (world_.absorbs) budget.medium = medium_at_start(world_, ray, work_);
         }
@@ -43,8 +44,10 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade(const RayUse& use, const R
     if (!hit) {
         Colour background = world_.background;
         if constexpr (Recorder::enabled) recorder_.record(Missed{background});
-        if constexpr (all_effects)
+        if constexpr (all_effects) {
             if (world_.absorbs) background *= absorbed(ray, budget.medium, infinity<T>);
+            if (keeps_brought_) brought_.add(use.kind, budget.weight * background);
+        }
         if constexpr (Recorder::enabled) recorder_.record(RayFinished{background, background, tested});
         return background;
     }
@@ -52,7 +55,8 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade(const RayUse& use, const R
     if constexpr (all_effects) {
         if (adds_) { // one test for all that is added, where nothing is
             if (budget.depth == 0) seen_ = {Id(at.hit.object), as<double>(at.facing)};
-            if (world_.effects == EffectMask::all) return shade_hit_with_effects(ray, at, budget, tested);
+            if (world_.effects == EffectMask::all || keeps_brought_)
+                return shade_hit_with_effects(use.kind, ray, at, budget, tested);
         }
     }
     if constexpr (Recorder::enabled) record_boundary(ray, at);

@@ -6,6 +6,7 @@
 #include "core/stage/ray_use.hpp"
 #include "core/tracer/added_effects.hpp"
 #include "core/tracer/budget.hpp"
+#include "core/tracer/heat.hpp"
 #include "core/tracer/interaction.hpp"
 #include "core/tracer/order.hpp"
 #include "core/tracer/recording.hpp"
@@ -53,6 +54,10 @@ public:
     void keep_first_seen() { adds_ = true; }
     /// Of the last trace, where it was asked for or the scene calls for added effects.
     [[nodiscard]] const FirstSeen& first_seen() const { return seen_; }
+    /// Asks for brought() of the traces to come; with all effects alone.
+    void keep_brought() { adds_ = keeps_brought_ = true; }
+    /// Of the last trace, where it was asked for.
+    [[nodiscard]] const BroughtLight& brought() const { return brought_; }
 
 private:
     // What the classic tracer has none of takes no room in it.
@@ -137,8 +142,9 @@ private:
     void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
 
     // With all effects alone. Not inlined, lest what is the same for both tracers becomes too large to be.
-    [[nodiscard, gnu::noinline]] Colour shade_hit_with_effects(const Ray<T>& ray, Interaction<N> at,
-                                                               const Budget& budget, int tested);
+    [[nodiscard, gnu::noinline]] Colour shade_hit_with_effects(RayKind kind, const Ray<T>& ray,
+                                                               Interaction<N> at, const Budget& budget,
+                                                               int tested);
     void add_boundary_light_with_effects(Colour& colour, const Interaction<N>& at, const Budget& budget);
     [[gnu::noinline]] void add_area_light(Colour& colour, Id light, const Interaction<N>& at,
                                           const Budget& budget);
@@ -165,8 +171,10 @@ private:
     RecursionLimits limits_;
     int rays_left_ = 0, deepest_ = 0;
     double dropped_ = 0;
-    [[no_unique_address]] Added<bool> adds_{}; // an effect, or what is first seen
+    [[no_unique_address]] Added<bool> adds_{}; // an effect, what is first seen, or who brings light
+    [[no_unique_address]] Added<bool> keeps_brought_{};
     [[no_unique_address]] Added<FirstSeen> seen_;
+    [[no_unique_address]] Added<BroughtLight> brought_;
     [[no_unique_address]] Added<Spectrum> spectrum_;
 };
 

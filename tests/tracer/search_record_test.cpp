@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace rayscope::test {
 namespace {
@@ -238,6 +239,41 @@ TEST(Heat, depth_is_that_of_the_deepest_ray_in_the_trace) {
             deepest = std::max(deepest, result.heat.at(x, y));
         }
     EXPECT_GT(deepest, 0);
+}
+
+// What the ledger of the recorded trace says of single pixels; of each pixel they are the whole.
+TEST(Heat, light_is_that_of_the_ledger_and_adds_up_to_the_image) {
+    Scene glass = crowd();
+    glass.materials[1].transmission = Colour{0.5, 0.6, 0.7};
+    glass.materials[1].absorption = Colour{0.4, 0.2, 0.1};
+    glass.background = Colour{0.1, 0.2, 0.3};
+    for (const Scene& scene : {crowd(), glass}) {
+        const Workbench bench = make_workbench(scene);
+        for (const int samples : {1, 5}) {
+            RenderOptions options;
+            options.samples = samples;
+            std::map<Heat, RenderResult> maps;
+            for (const Heat heat : {Heat::direct, Heat::reflected, Heat::refracted}) {
+                options.heat = heat;
+                maps[heat] = render(bench, options);
+            }
+            const Image& image = maps[Heat::direct].image;
+            for (int x = 0; x < image.width; ++x)
+                for (int y = 0; y < image.height; ++y) {
+                    const Colour& c = image.at(x, y);
+                    double sum = 0;
+                    for (const auto& [heat, result] : maps) sum += double(result.heat.at(x, y));
+                    ASSERT_NEAR(sum, (c.x + c.y + c.z) / 3, 1e-6) << x << ' ' << y;
+                    if (samples > 1 || (x + y) % 17 != 0) continue;
+                    std::map<RayKind, double> brought;
+                    for (const auto& [source, light] : ledger_of(trace_pixel(bench, x, y).rays).sources)
+                        brought[source.brought_by] += (light.x + light.y + light.z) / 3;
+                    for (const auto& [heat, result] : maps)
+                        ASSERT_NEAR(double(result.heat.at(x, y)),
+                                    brought[RayKind(int(heat) - int(Heat::direct))], 1e-6);
+                }
+        }
+    }
 }
 
 TEST(Extents, rectangles_hold_what_the_eye_sees_of_an_object) {

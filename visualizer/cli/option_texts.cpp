@@ -118,11 +118,11 @@ CLI::App_p make_render(Texts& texts) {
              "how hits are found: best, scan, extents, projective, light, octree, bvh, or one for each kind "
              "of ray, "
              "such as eye=projective,shadow=light,other=octree; the image stays the same, bit for bit");
-    add_text(command, "--heat", texts.heat, "KIND",
-             "instead of the image what each pixel costs: tests, cells, depth, time, rays, samples or "
-             "dropped; a .png with a "
-             "scale, or "
-             "the numbers as .pfm");
+    add_text(
+        command, "--heat", texts.heat, "KIND",
+        "instead of the image what each pixel costs: tests, cells, depth, time, rays, samples or "
+        "dropped; or how much of its light is direct, reflected or refracted; a .png with a scale, or the "
+        "numbers as .pfm");
     add_text(command, "--effects", texts.effects, "LIST", effects_help);
     add_text(command, "--samples", texts.samples, "N",
              "at most so many in a pixel, 1 to 4096; more than one only where neighbouring pixels differ");

@@ -94,7 +94,8 @@ void MainWindow::make_options() {
         overlay_.setItemData(overlay_.count() - 1, QString::fromUtf8(heat.meaning.data()), Qt::ToolTipRole);
     }
     overlay_.setToolTip(
-        "The image, or what each of its pixels costs; after find (Ctrl+F), also what it found");
+        "The image, or what each of its pixels costs, or which rays bring its light; after find (Ctrl+F), "
+        "also what it found");
     overlay_.setFocusPolicy(Qt::ClickFocus);
     QObject::connect(&overlay_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
         image.show_found(shows_found() ? desk.session().found() : std::nullopt);
