@@ -6,8 +6,7 @@
 namespace rayscope {
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
-Colour Tracer<N, Stage, Recorder, Order, mask>::shade_hit_with_effects(RayKind kind, const Ray<T>& ray,
-                                                                       Interaction<N> at,
+Colour Tracer<N, Stage, Recorder, Order, mask>::shade_hit_with_effects(const Ray<T>& ray, Interaction<N> at,
                                                                        const Budget& budget, int tested) {
     if (budget.wavelength > 0) set_speeds(at, double(budget.wavelength));
     std::optional<EvenMaterials> even;
@@ -25,13 +24,13 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade_hit_with_effects(RayKind k
         dimmed.weight *= passed;
     }
     Colour local = local_light<true>(at, dimmed);
+    if (keeps_brought_) brought_.add(kind_, dimmed.weight * local);
     Colour colour = local;
     add_boundary_light_with_effects(colour, at, dimmed);
     if (world_.absorbs) {
         local *= passed;
         colour *= passed;
     }
-    if (keeps_brought_) brought_.add(kind, budget.weight * local);
     if constexpr (Recorder::enabled) recorder_.record(RayFinished{local, colour, tested});
     return colour;
 }

@@ -47,8 +47,9 @@ inline constexpr std::array<HeatName, 10> heat_names{
 
 /// Light, by the kind of the rays that bring it to the eye.
 struct BroughtLight {
-    std::array<Colour, 3> by_kind{Colour{0}, Colour{0}, Colour{0}}; ///< eye, reflected, refracted
+    std::array<Colour, 3> by_kind; ///< eye, reflected, refracted
 
+    void clear() { by_kind.fill(Colour{0}); }
     void add(RayKind kind, const Colour& light) { by_kind[std::size_t(kind)] += light; }
     [[nodiscard]] double mean(RayKind kind) const {
         const Colour& light = by_kind[std::size_t(kind)];

@@ -43,23 +43,19 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::light_along(const LightPoint& li
     // Light from behind the face itself does not come through, whatever an interpolated normal says.
     if (const double flat = double(dot(at.flat, to_light)); at.smooth && flat < 0)
         cosine = minimum(cosine, flat);
-    const auto mirror = [&] { return double(mirror_cosine(to_light, at.facing, at.incoming)); };
-    const auto highlight = [&] {
-        if (at.wall->specular == Colour{0}) return Colour{0};
-        return at.wall->specular * specular_share(cosine, mirror(), at.wall->shininess);
-    };
     const Colour diffuse = at.wall->diffuse * diffuse_share(cosine);
     // The highlight takes longest: where it decides nothing, it waits until the light is known to arrive.
     const bool waits = !Recorder::enabled && largest_component(diffuse) > 0;
-    Colour specular = waits ? Colour{0} : highlight();
+    Colour specular = waits ? Colour{0} : highlight(to_light, cosine, at);
     // A light behind the surface, or one that the material ignores, needs no shadow ray.
     Colour seen{1};
     if (world_.lights[std::size_t(light.id)].shadows && largest_component(diffuse + specular) > 0)
         seen = visibility<added>(light, to_light, light.endless ? infinity<T> : length(offset), at, budget);
-    if (waits && seen != Colour{0}) specular = highlight();
+    if (waits && seen != Colour{0}) specular = highlight(to_light, cosine, at);
     const Colour arriving = light.colour * seen;
     if constexpr (Recorder::enabled)
-        recorder_.record(LightLit{light.id, as<double>(to_light), cosine, mirror(), at.wall->shininess,
+        recorder_.record(LightLit{light.id, as<double>(to_light), cosine,
+                                  double(mirror_cosine(to_light, at.facing, at.incoming)), at.wall->shininess,
                                   light.sample, light.samples, light.colour, seen, at.wall->diffuse,
                                   at.wall->specular, diffuse * arriving, specular * arriving});
     return diffuse * arriving + specular * arriving;

@@ -18,7 +18,8 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::trace(const Ray<T>& ray, const R
         if (adds_) {
             budget.path = seed;
             seen_ = {};
-            brought_ = {};
+            brought_.clear();
+            kind_ = RayKind::eye;
             spectrum_.clear();
             if (world_.absorbs) budget.medium = medium_at_start(world_, ray, work_);
         }
@@ -45,8 +46,10 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade(const RayUse& use, const R
         Colour background = world_.background;
         if constexpr (Recorder::enabled) recorder_.record(Missed{background});
         if constexpr (all_effects) {
-            if (world_.absorbs) background *= absorbed(ray, budget.medium, infinity<T>);
-            if (keeps_brought_) brought_.add(use.kind, budget.weight * background);
+            if (adds_) {
+                if (world_.absorbs) background *= absorbed(ray, budget.medium, infinity<T>);
+                if (keeps_brought_) brought_.add(kind_, budget.weight * background);
+            }
         }
         if constexpr (Recorder::enabled) recorder_.record(RayFinished{background, background, tested});
         return background;
@@ -56,7 +59,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade(const RayUse& use, const R
         if (adds_) { // one test for all that is added, where nothing is
             if (budget.depth == 0) seen_ = {Id(at.hit.object), as<double>(at.facing)};
             if (world_.effects == EffectMask::all || keeps_brought_)
-                return shade_hit_with_effects(use.kind, ray, at, budget, tested);
+                return shade_hit_with_effects(ray, at, budget, tested);
         }
     }
     if constexpr (Recorder::enabled) record_boundary(ray, at);
@@ -155,6 +158,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::follow(const Continuation& next,
         if (adds_) {
             after.path = mixed(budget.path, std::uint32_t(next.kind));
             if (next.wavelength > 0) after.wavelength = float(next.wavelength);
+            kind_ = next.kind;
         }
     }
     if constexpr (Order::waits) {

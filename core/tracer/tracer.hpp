@@ -116,6 +116,12 @@ private:
         const Vec3<T> position = as<T>(light.position);
         return light.directional ? position : position - at.point;
     }
+    [[nodiscard, gnu::always_inline]] static Colour highlight(const Vec3<T>& to_light, double cosine,
+                                                              const Interaction<N>& at) {
+        if (at.wall->specular == Colour{0}) return Colour{0};
+        const double mirror = double(mirror_cosine(to_light, at.facing, at.incoming));
+        return at.wall->specular * specular_share(cosine, mirror, at.wall->shininess);
+    }
     template <bool added>
     [[nodiscard, gnu::always_inline]] inline Colour
     light_along(const LightPoint& light, const Vec3<T>& offset, const Interaction<N>& at,
@@ -142,9 +148,8 @@ private:
     void refuse(RayKind kind, Reason reason, const Colour& coefficient, const Budget& budget);
 
     // With all effects alone. Not inlined, lest what is the same for both tracers becomes too large to be.
-    [[nodiscard, gnu::noinline]] Colour shade_hit_with_effects(RayKind kind, const Ray<T>& ray,
-                                                               Interaction<N> at, const Budget& budget,
-                                                               int tested);
+    [[nodiscard, gnu::noinline]] Colour shade_hit_with_effects(const Ray<T>& ray, Interaction<N> at,
+                                                               const Budget& budget, int tested);
     void add_boundary_light_with_effects(Colour& colour, const Interaction<N>& at, const Budget& budget);
     [[gnu::noinline]] void add_area_light(Colour& colour, Id light, const Interaction<N>& at,
                                           const Budget& budget);
@@ -175,6 +180,7 @@ private:
     [[no_unique_address]] Added<bool> keeps_brought_{};
     [[no_unique_address]] Added<FirstSeen> seen_;
     [[no_unique_address]] Added<BroughtLight> brought_;
+    [[no_unique_address]] Added<RayKind> kind_{}; // of the ray that is shaded, until it spawns others
     [[no_unique_address]] Added<Spectrum> spectrum_;
 };
 
