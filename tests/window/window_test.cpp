@@ -45,9 +45,11 @@ TEST_F(Window, what_find_finds_is_an_overlay_until_the_scene_changes) {
                                        "type find tir && depth >= 3\n"
                                        "pick 10 10\n"
                                        "heat 0\n"
-                                       "heat 8\n"
-                                       "type find depth > 200\n"
-                                       "open bubble\n");
+                                       "heat " +
+                                           std::to_string(heat_names.size() + 1) +
+                                           "\n"
+                                           "type find depth > 200\n"
+                                           "open bubble\n");
     const auto shown = [&](std::size_t i) { return reports.lines.at(i).at("found_shown").get<int>(); };
     ASSERT_EQ(reports.lines.size(), 6U) << reports.outcome.err;
     EXPECT_GT(shown(0), 0);
