@@ -69,9 +69,9 @@ struct RenderCommandOptions {
     std::optional<Size> size;
     std::optional<std::string> configuration; ///< as rayscope::configuration reads it
     std::optional<StageChoice> stage;         ///< none: the quickest
-    std::optional<Heat> heat;                 ///< the picture tells what each pixel costs, or who brings its light
-    std::optional<std::string> effects;       ///< as rayscope::parse_effects reads them
-    int samples = 0;                          ///< at most so many in a pixel; 0: the scene's
+    std::optional<Heat> heat;           ///< the picture tells what each pixel costs, or who brings its light
+    std::optional<std::string> effects; ///< as rayscope::parse_effects reads them
+    int samples = 0;                    ///< at most so many in a pixel; 0: the scene's
     int threads = 0;
 };
 

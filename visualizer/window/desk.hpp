@@ -79,7 +79,7 @@ private:
     cli::StepStyle style_;
     std::filesystem::path file_;
     std::optional<std::string> original_; // text of the file, as it was opened; from the first saving on
-    std::string hash_;     // … as it was last read or saved
+    std::string hash_;                    // … as it was last read or saved
     std::shared_ptr<const Workbench> bench_;
     std::optional<cli::Session> session_;
     Edits edits_, saved_;

@@ -126,7 +126,8 @@ std::string with_edit(const std::string& file, const std::string& text, const st
     const std::string entry = path.key + " = " + (path.key == "transform" ? "[" + value + "]" : value);
     std::string longer = with_entry(text, *table, entry);
     if (longer.empty())
-        throw InputError(file, {}, name + " is not in the file, and there is no line where it could be added");
+        throw InputError(file, {},
+                         name + " is not in the file, and there is no line where it could be added");
     return longer;
 }
 
