@@ -1,39 +1,15 @@
 // A trace by the way of a stage is the same trace, and tells truly where the stage looked.
 
 #include "core/rayscope.hpp"
-#include "tests/support/random.hpp"
-#include "tests/support/scenes.hpp"
+#include "tests/tracer/crowd.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace rayscope::test {
 namespace {
-
-/// A cloud of balls, some of them mirrors, a bowl, and a floor without end.
-Scene crowd() {
-    SceneBuilder b;
-    Random random(7);
-    SceneMaterial mirror;
-    mirror.diffuse = Colour{0.4};
-    mirror.reflection = Colour{0.5};
-    SceneMaterial matte;
-    matte.diffuse = Colour{0.7};
-    const std::size_t shiny = b.material(mirror), plain = b.material(matte);
-    for (int i = 0; i < 60; ++i)
-        b.generic(Sphere<double>{}, translation(random.in_cube(3.0)) * scaling(random.uniform(0.1, 0.4)),
-                  i % 3 == 0 ? shiny : plain);
-    b.generic(Plane<double>{}, translation({0, 0, -4}), plain);
-    b.light({4, 5, 6});
-    Scene scene = b.scene();
-    scene.camera.eye = {0, -9, 1};
-    scene.camera.width = 64;
-    scene.camera.height = 48;
-    return scene;
-}
 
 std::vector<StageChoice> choices() {
     std::vector<StageChoice> list;
@@ -202,78 +178,6 @@ TEST(SearchRecord, says_why_it_ended) {
     EXPECT_GT(beyond, 0);
     EXPECT_GT(nothing, 0);
     EXPECT_GT(dark, 0);
-}
-
-TEST(Heat, is_what_the_counters_say) {
-    const Workbench bench = make_workbench(crowd());
-    RenderOptions options;
-    options.stage = stage_choice("octree");
-    for (const Heat heat : {Heat::rays, Heat::tests, Heat::cells}) {
-        options.heat = heat;
-        const RenderResult result = render(bench, options);
-        double sum = 0;
-        for (const float value : result.heat.values) sum += double(value);
-        const Counters& c = result.statistics.counters;
-        std::uint64_t expected = 0;
-        if (heat == Heat::rays)
-            for (const auto count : c.rays) expected += count;
-        if (heat == Heat::tests)
-            for (const auto count : c.tests) expected += count;
-        if (heat == Heat::cells) expected = c.nodes + c.cells + c.boxes;
-        EXPECT_EQ(sum, double(expected)) << heat_names[std::size_t(heat)].name;
-    }
-}
-
-TEST(Heat, depth_is_that_of_the_deepest_ray_in_the_trace) {
-    const Workbench bench = make_workbench(crowd());
-    RenderOptions options;
-    options.heat = Heat::depth;
-    const RenderResult result = render(bench, options);
-    float deepest = 0;
-    for (int x = 1; x < 64; x += 7)
-        for (int y = 1; y < 48; y += 7) {
-            int depth = 0;
-            for (const TracedRay& ray : trace_pixel(bench, x, y).rays)
-                depth = std::max(depth, ray.start().depth);
-            EXPECT_EQ(result.heat.at(x, y), float(depth));
-            deepest = std::max(deepest, result.heat.at(x, y));
-        }
-    EXPECT_GT(deepest, 0);
-}
-
-// What the ledger of the recorded trace says of single pixels; of each pixel they are the whole.
-TEST(Heat, light_is_that_of_the_ledger_and_adds_up_to_the_image) {
-    Scene glass = crowd();
-    glass.materials[1].transmission = Colour{0.5, 0.6, 0.7};
-    glass.materials[1].absorption = Colour{0.4, 0.2, 0.1};
-    glass.background = Colour{0.1, 0.2, 0.3};
-    for (const Scene& scene : {crowd(), glass}) {
-        const Workbench bench = make_workbench(scene);
-        for (const int samples : {1, 5}) {
-            RenderOptions options;
-            options.samples = samples;
-            std::map<Heat, RenderResult> maps;
-            for (const Heat heat : {Heat::direct, Heat::reflected, Heat::refracted}) {
-                options.heat = heat;
-                maps[heat] = render(bench, options);
-            }
-            const Image& image = maps[Heat::direct].image;
-            for (int x = 0; x < image.width; ++x)
-                for (int y = 0; y < image.height; ++y) {
-                    const Colour& c = image.at(x, y);
-                    double sum = 0;
-                    for (const auto& [heat, result] : maps) sum += double(result.heat.at(x, y));
-                    ASSERT_NEAR(sum, (c.x + c.y + c.z) / 3, 1e-6) << x << ' ' << y;
-                    if (samples > 1 || (x + y) % 17 != 0) continue;
-                    std::map<RayKind, double> brought;
-                    for (const auto& [source, light] : ledger_of(trace_pixel(bench, x, y).rays).sources)
-                        brought[source.brought_by] += (light.x + light.y + light.z) / 3;
-                    for (const auto& [heat, result] : maps)
-                        ASSERT_NEAR(double(result.heat.at(x, y)),
-                                    brought[RayKind(int(heat) - int(Heat::direct))], 1e-6);
-                }
-        }
-    }
 }
 
 TEST(Extents, rectangles_hold_what_the_eye_sees_of_an_object) {

@@ -79,7 +79,7 @@ void RayStrokes::tube(const Vec3d& from, const Vec3d& to, double width, Rgb colo
 
 void RayStrokes::dashes(const Vec3d& from, const Vec3d& to, double width, Rgb colour) {
     const double pixel = view_.pixel_size((from + to) / 2.0) * pixels_, size = length(to - from);
-    const double dash = (6 + 1.5 * width) * pixel, period = dash + (3 + 1.5 * width) * pixel;
+    const double dash = (6 + 1.5 * width) * dash_ * pixel, period = dash + (3 + 1.5 * width) * dash_ * pixel;
     if (!(size < 1000 * period)) return tube(from, to, width, colour);
     const Vec3d d = normalized(to - from);
     for (double s = 0; s < size; s += period)
@@ -161,6 +161,7 @@ void RayStrokes::draw(const Trace& trace, const std::vector<RayStyle>& styles, v
         // Thin and many: nobody sees how round they are.
         const bool many = styles.size() > many_rays && style.emphasis != Emphasis::path;
         mesh_.set_sides(many ? Mesh::round / 2 : Mesh::round);
+        dash_ = many ? 2.5 : 1;
         const vtkIdType cell = style.ray; // one line for each ray, in their order
         const Vec3d from = view_.to_view(point_of(rays, 2 * cell)),
                     to = view_.to_view(point_of(rays, 2 * cell + 1));

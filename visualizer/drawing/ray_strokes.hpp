@@ -57,6 +57,7 @@ private:
     const View& view_;
     const Region& region_;
     double pixels_;
+    double dash_ = 1; ///< length of a dash: 1 where rays are few
     Mesh mesh_;
     std::vector<FlatSegment> segments_;
 };
