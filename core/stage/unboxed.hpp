@@ -1,5 +1,5 @@
 #pragma once
-// Objects that a stage has no place for: every ray is tested against them.
+// Objects that a stage has no place for.
 
 #include "core/stage/apart.hpp"
 
@@ -7,8 +7,8 @@
 
 namespace rayscope {
 
-/// But for planes and polygons that the ray surely keeps on one side of it: few shadow rays that start above a floor come
-/// from a light below.
+/// Every ray is tested against them, but for planes and polygons of which it surely stays on one side: a shadow ray from
+/// above a floor to a light above it never gets there.
 template <Numbers N> class Unboxed {
 public:
     using T = ScalarOf<N>;
@@ -29,9 +29,10 @@ public:
 private:
     struct Entry {
         std::uint32_t object;
+        bool flat = false;
         Vec3<T> normal{T(0)}; ///< unit; of the plane that it lies in
         T offset = T(0);      ///< normal · p of its points
-        T size = infinity<T>; ///< its farthest coordinate that rounding takes part in; it is no plane
+        T size = T(0);        ///< its largest coordinate; of a plane that of the point that its matrix moves
         T rounding = T(0);    ///< relative to coordinates, as SlabRay has it
     };
 
@@ -51,12 +52,17 @@ private:
         }
         const Vec3<T> moved = Vec3<T>(solid.transform.matrix() * glm::tvec4<T>(point, T(1)));
         normal = solid.transform.normal_to_world(normal);
-        return {id, normal, dot(normal, moved), maximum(size, largest_component(absolute(moved))),
+        return {id,
+                true,
+                normal,
+                dot(normal, moved),
+                maximum(size, largest_component(absolute(moved))),
                 T(64) * epsilon<T> * solid.transform.distortion()};
     }
 
     /// False: for 0 ≤ t ≤ reach the ray stays farther from the plane than rounding can carry a crossing.
     [[nodiscard]] static bool may_meet(const Entry& entry, const Ray<T>& ray, T reach) {
+        if (!entry.flat) return true;
         const T height = dot(entry.normal, ray.origin) - entry.offset;
         const T rises = dot(entry.normal, ray.direction);
         const T away = height > T(0) ? rises : -rises, step = largest_component(absolute(ray.direction));
