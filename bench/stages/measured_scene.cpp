@@ -44,7 +44,7 @@ std::size_t bytes_of(const StageSet& stages, StageKind kind) {
     switch (kind) {
     case StageKind::octree: return stages.octree()->statistics().bytes;
     case StageKind::bvh: return stages.bvh()->statistics().bytes;
-    case StageKind::projective: return stages.projective()->lists().bytes();
+    case StageKind::projective: return stages.projective()->bytes();
     default: return 0;
     }
 }

@@ -35,7 +35,7 @@ public:
 private:
     [[nodiscard]] PlaceEntered extent_entered(std::uint32_t id, const Ray<T>& ray) const {
         const Box<T> box = as<T>(this->world_.objects[id].bounds);
-        const BoxSpan<T> inside = SlabRay<T>(ray, size_of(box), T(1)).span(box);
+        const BoxSpan<T> inside = SlabRay<T>(ray, largest_coordinate(box), T(1)).span(box);
         PlaceEntered entered = place_entered(PlaceKind::extent, Id(id), 0, 1, box, inside.enter, inside.exit);
         entered.object = Id(id);
         return entered;
@@ -43,22 +43,19 @@ private:
     [[nodiscard]] bool may_hit(const Object& object, const Ray<T>& ray, T reach) const {
         if (object.is_compound) { // the box that its parts make together, in world space
             const Box<T> box = as<T>(object.bounds);
-            return may_hit(SlabRay<T>(ray, size_of(box), most_distorted<T>), box, reach);
+            return may_hit(SlabRay<T>(ray, largest_coordinate(box), most_distorted<T>), box, reach);
         }
         const Solid<N>& solid = this->world_.solids[object.index];
         const Box<T> box = std::visit([](const auto& s) { return s.bounds(); }, solid.shape);
         // Here the point_error of Transform is what rounding can do, up to where the ray has passed the box.
         const Ray<T> moved = solid.transform.to_object(ray);
-        const T passed = (size_of(Box<T>{moved.origin, moved.origin}) + size_of(box)) /
+        const T passed = (largest_coordinate(Box<T>{moved.origin, moved.origin}) + largest_coordinate(box)) /
                          largest_component(absolute(moved.direction));
-        const T size = largest_component(solid.transform.point_error(ray, passed)) + size_of(box);
+        const T size = largest_component(solid.transform.point_error(ray, passed)) + largest_coordinate(box);
         return may_hit(SlabRay<T>(moved, size, T(1)), box, reach);
     }
     [[nodiscard]] static bool may_hit(const SlabRay<T>& ray, const Box<T>& box, T reach) {
         return !ray.reliable() || ray.may_hit(box, reach);
-    }
-    [[nodiscard]] static T size_of(const Box<T>& box) {
-        return largest_component(maximum_of(absolute(box.low), absolute(box.high)));
     }
 
     std::vector<bool> apart_; // by object

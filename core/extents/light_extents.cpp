@@ -190,7 +190,7 @@ template <Numbers N> std::size_t LightExtents<N>::entries() const {
 }
 
 template <Numbers N> std::size_t LightExtents<N>::bytes() const {
-    std::size_t sum = 0;
+    std::size_t sum = balls_.bytes();
     for (const LightsView& view : lights_)
         for (const Window& window : view.windows)
             sum += window.lists.bytes() + window.covered.capacity() * sizeof(float);

@@ -61,7 +61,7 @@ public:
     }
     template <typename Search> [[gnu::noinline]] void look(const RayUse& use, Search& search) const;
 
-    [[nodiscard]] const CellLists& lists() const { return lists_; }
+    [[nodiscard]] std::size_t bytes() const { return lists_.bytes() + balls_.bytes(); }
     /// Edge of the tiles that share a list: larger where many objects crowd the screen.
     [[nodiscard]] int tile_pixels() const { return tile << lists_.coarser(); }
     /// What is tested by the eye ray through a pixel, nearest first.

@@ -53,6 +53,11 @@ template <Scalar T> [[nodiscard]] Box<T> intersected(Box<T> a, const Box<T>& b) 
     return a;
 }
 
+/// Of its corners, whatever its sign.
+template <Scalar T> [[nodiscard]] T largest_coordinate(const Box<T>& box) {
+    return largest_component(maximum_of(absolute(box.low), absolute(box.high)));
+}
+
 /// Half of a box's surface; 0 for an empty one. Of all lines through a convex box, as many go through one within it as the
 /// ratio of their surfaces says: what every estimate of a walk's cost is made of.
 template <Scalar T> [[nodiscard]] T half_area(const Box<T>& box) {

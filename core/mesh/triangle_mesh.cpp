@@ -21,7 +21,7 @@ void turn_inside_out(MeshData& mesh) {
 TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)), hole_(find_hole(data_)) {
     if (!hole_ && signed_volume(data_) < 0) turn_inside_out(data_);
     for (const Vec3d& p : data_.positions) bounds_.include(p);
-    scale_ = tree_scale(largest_component(maximum_of(absolute(bounds_.low), absolute(bounds_.high))));
+    scale_ = tree_scale(largest_coordinate(bounds_));
     std::vector<BoxedItem> items;
     items.reserve(size());
     for (std::uint32_t i = 0; i < size(); ++i)

@@ -177,8 +177,7 @@ private:
         result.program = std::move(compiled.program);
         result.extents = std::move(compiled.extents);
         for (const PartExtent& part : result.extents)
-            result.size = maximum(
-                result.size, largest_component(maximum_of(absolute(part.box.low), absolute(part.box.high))));
+            result.size = maximum(result.size, largest_coordinate(part.box));
         world_.objects.push_back(
             {true, std::uint32_t(world_.compounds.size()), material, compound.priority, true, boxes.back()});
         world_.compounds.push_back(std::move(result));

@@ -23,9 +23,9 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 template <Numbers N> [[nodiscard]] bool stands_apart(const World<N>& world, const Object& object) {
     using T = ScalarOf<N>;
     if (!object.bounds.bounded()) return true;
-    const Vec3d size = maximum_of(absolute(object.bounds.low), absolute(object.bounds.high));
     constexpr double farthest = std::is_same_v<T, float> ? 0x1p30 : 0x1p300;
-    return !(largest_component(size) < farthest) || !(distortion_of(world, object) <= most_distorted<T>);
+    return !(largest_coordinate(object.bounds) < farthest) ||
+           !(distortion_of(world, object) <= most_distorted<T>);
 }
 
 /// Of the objects that do not stand apart: how large they and their distortion are.
@@ -34,9 +34,7 @@ struct Reach {
     double distortion = 3;
 
     /// The largest coordinate.
-    [[nodiscard]] double size() const {
-        return largest_component(maximum_of(absolute(bounds.low), absolute(bounds.high)));
-    }
+    [[nodiscard]] double size() const { return largest_coordinate(bounds); }
     /// How far rounding may put a crossing beside its object, for rays from this far away: see SlabRay.
     [[nodiscard]] double margin(double origin) const {
         return 64 * epsilon<double> * distortion * (origin + size());

@@ -38,6 +38,8 @@ public:
         return missed;
     }
 
+    [[nodiscard]] std::size_t bytes() const { return balls_.capacity() * sizeof(Ball); }
+
 private:
     static constexpr T slack = T(1024) * epsilon<T>;
 

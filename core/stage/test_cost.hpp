@@ -6,13 +6,15 @@
 
 namespace rayscope {
 
-/// What it costs to test an object, in units of a ball that is tested with seven others.
+/// Measured: what it costs to test a generic by itself, in units of a ball that is tested with seven others.
+inline constexpr double generic_cost = 6;
+
+/// The same of an object.
 template <Numbers N> [[nodiscard]] double test_cost(const World<N>& world, const Object& object) {
-    // Measured.
-    constexpr double of_ball = 1, of_triangle = 1.5, of_generic = 6;
+    constexpr double of_ball = 1, of_triangle = 1.5; // of eight
     if (world.is_ball(object)) return of_ball;
-    if (!object.is_compound) return free_triangle(world, object) != nullptr ? of_triangle : of_generic;
-    return of_generic * double(world.compounds[object.index].nodes.size());
+    if (!object.is_compound) return free_triangle(world, object) != nullptr ? of_triangle : generic_cost;
+    return generic_cost * double(world.compounds[object.index].nodes.size());
 }
 
 } // namespace rayscope

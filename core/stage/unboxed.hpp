@@ -45,8 +45,7 @@ private:
         if (const auto* polygon = std::get_if<Polygon<N>>(&solid.shape)) {
             point = polygon->vertices().front();
             normal = polygon->normal(point, 0);
-            const Box<T> box = as<T>(object.bounds);
-            size = largest_component(maximum_of(absolute(box.low), absolute(box.high)));
+            size = largest_coordinate(as<T>(object.bounds));
         } else if (!std::holds_alternative<Plane<N>>(solid.shape)) {
             return {id};
         }

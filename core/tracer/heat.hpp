@@ -45,18 +45,6 @@ inline constexpr std::array<HeatName, 10> heat_names{
      {"reflected", "light of each pixel that reflected rays bring"},
      {"refracted", "light of each pixel that refracted rays bring"}}};
 
-/// Light, by the kind of the rays that bring it to the eye.
-struct BroughtLight {
-    std::array<Colour, 3> by_kind; ///< eye, reflected, refracted
-
-    void clear() { by_kind.fill(Colour{0}); }
-    void add(RayKind kind, const Colour& light) { by_kind[std::size_t(kind)] += light; }
-    [[nodiscard]] double mean(RayKind kind) const {
-        const Colour& light = by_kind[std::size_t(kind)];
-        return (light.x + light.y + light.z) / 3;
-    }
-};
-
 /// Of a tracer's last trace, where it is_of_trace.
 template <typename Tracer> [[nodiscard]] float heat_of_trace(Heat heat, const Tracer& tracer) {
     if (heat == Heat::depth) return float(tracer.deepest());

@@ -27,6 +27,8 @@ struct RenderOptions {
     std::optional<Heat> heat;         ///< also measure what each pixel costs, or who brings its light
     std::function<void(double)> progress;    ///< called with 0 … 1, by one thread at a time
     const std::atomic<bool>* stop = nullptr; ///< set to true from outside: the render ends soon, incomplete
+
+    [[nodiscard]] bool maps_light() const { return heat && is_light(*heat); }
 };
 
 /// What a render did, and how long it took.

@@ -60,7 +60,7 @@ public:
         });
         if (samples_ > 1 && result_.complete) smooth(uneven_pixels(result_.image, seen));
         if (options_.heat == Heat::samples) result_.heat = samples_ > 1 ? result_.samples : even_map(1);
-        if (options_.heat && is_light(*options_.heat) && samples_ > 1) // the mean, as of the colour
+        if (options_.maps_light() && samples_ > 1) // the mean, as of the colour
             std::ranges::transform(result_.heat.values, result_.samples.values, result_.heat.values.begin(),
                                    [](float sum, float samples) { return sum / std::max(samples, 1.0F); });
         for (const Work<T>& work : works_) result_.statistics.counters += work.counters;
@@ -95,7 +95,7 @@ private:
             PixelTracer tracer(world_, stage_, work, recorder);
             if constexpr (mask == EffectMask::all) {
                 if (samples_ > 1) tracer.keep_first_seen();
-                if (options_.heat && is_light(*options_.heat)) tracer.keep_brought();
+                if (options_.maps_light()) tracer.keep_brought();
             }
             for (int y = tile.top; y < tile.bottom; ++y) {
                 for (int x = tile.left; x < tile.right; ++x) {
@@ -152,8 +152,8 @@ template <Numbers N>
 RenderResult render(const World<N>& world, const Camera& camera, const RenderOptions& options) {
     if constexpr (has_classic_tracer<N>) {
         const int samples = options.samples > 0 ? options.samples : camera.samples;
-        const bool notes_light = options.heat && is_light(*options.heat);
-        if (world.effects == EffectMask::classic && samples == 1 && !options.all_effects && !notes_light)
+        if (world.effects == EffectMask::classic && samples == 1 && !options.all_effects &&
+            !options.maps_light())
             return render_with<N, EffectMask::classic>(world, camera, options);
     }
     return render_with<N, EffectMask::all>(world, camera, options);

@@ -16,11 +16,12 @@ constexpr double few = 16;
 
 // Every stage tests what has no end. A compound that is asked only where the ray meets one ball costs about a generic.
 double cost_of_scan(const World<double>& world) {
-    constexpr double of_guarded = 6;
     double sum = 0;
-    for (const Object& object : world.objects)
-        if (object.bounds.bounded())
-            sum += object.is_compound && deciding_ball(world, object) ? of_guarded : test_cost(world, object);
+    for (const Object& object : world.objects) {
+        if (!object.bounds.bounded()) continue;
+        const double cost = test_cost(world, object);
+        sum += deciding_ball(world, object) ? std::min(cost, generic_cost) : cost;
+    }
     return sum;
 }
 

@@ -6,7 +6,6 @@
 #include "core/stage/ray_use.hpp"
 #include "core/tracer/added_effects.hpp"
 #include "core/tracer/budget.hpp"
-#include "core/tracer/heat.hpp"
 #include "core/tracer/interaction.hpp"
 #include "core/tracer/order.hpp"
 #include "core/tracer/recording.hpp"
@@ -17,6 +16,18 @@ namespace rayscope {
 struct FirstSeen {
     Id object = none;
     Vec3d normal{0}; ///< unit, against the ray
+};
+
+/// Light, by the kind of the rays that bring it to the eye.
+struct BroughtLight {
+    std::array<Colour, 3> by_kind; ///< eye, reflected, refracted
+
+    void clear() { by_kind.fill(Colour{0}); }
+    void add(RayKind kind, const Colour& light) { by_kind[std::size_t(kind)] += light; }
+    [[nodiscard]] double mean(RayKind kind) const {
+        const Colour& light = by_kind[std::size_t(kind)];
+        return (light.x + light.y + light.z) / 3;
+    }
 };
 
 /// Follows rays through a world. One tracer serves one thread.

@@ -86,7 +86,7 @@ template <typename Stage> void compare_on_random_scenes(int scenes, int rays) {
         for (int i = 0; i < rays; ++i) {
             Ray<double> ray = nasty_ray(random, box);
             if (random.below(3) != 0) {
-                const double half = largest_component(maximum_of(absolute(box.low), absolute(box.high)));
+                const double half = largest_coordinate(box);
                 ray.origin = random.in_cube(half * (random.below(8) == 0 ? random.decade(0, 6) : 1.5));
                 ray.direction = normalized(random.in_cube(half) - ray.origin);
             }

@@ -17,11 +17,8 @@ std::size_t most_undo(const Scene& scene) {
 }
 
 std::string text_of(const std::filesystem::path& path) {
-    std::error_code no_file;
-    const auto size = std::filesystem::file_size(path, no_file);
-    std::string text(no_file ? 0 : std::size_t(size), '\0');
-    std::ifstream(path, std::ios::binary).read(text.data(), std::streamsize(text.size()));
-    return text;
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 } // namespace
