@@ -1,39 +1,56 @@
 #pragma once
-// Shapes of one kind in groups of eight, each group's numbers side by side in memory: what a tree tests in a leaf.
+// Shapes of one kind in groups, each group's numbers side by side in memory: what a tree tests in a leaf.
 
+#include "core/math/numbers.hpp"
 #include "core/math/ray.hpp"
-#include "core/math/vec.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace rayscope {
 
-/// What all tests of one ray share.
-template <Scalar T> struct GroupRay {
-    T x, y, z, dx, dy, dz, dd, inverse_dd, inverse_length;
+/// A ray made ready for groups: in floats, in units of a tree whose coordinates are below 2.
+struct GroupRay {
+    /// @param scale see tree_scale
+    GroupRay(const Ray<double>& ray, double scale)
+        : size(largest_component(absolute(ray.origin)) * scale + 2),
+          x(float(ray.origin.x * scale)),
+          y(float(ray.origin.y * scale)),
+          z(float(ray.origin.z * scale)) {
+        const float length = sqrt(float(dot(ray.direction, ray.direction))), inverse = 1 / length;
+        dx = float(ray.direction.x) * inverse, dy = float(ray.direction.y) * inverse,
+        dz = float(ray.direction.z) * inverse;
+        per_t_ = double(length) * scale;
+        reliable_ = size < 0x1p20 && length > shortest && length < 1 / shortest;
+    }
+    /// False where numbers are so large or small that floats, or boxes in floats, can't be relied on.
+    [[nodiscard]] bool reliable() const { return reliable_; }
+    /// t in units of the tree, as far as floats go.
+    [[nodiscard]] float reach(double t) const {
+        return minimum(float(t * per_t_), std::numeric_limits<float>::max());
+    }
 
-    explicit GroupRay(const Ray<T>& ray)
-        : x(ray.origin.x),
-          y(ray.origin.y),
-          z(ray.origin.z),
-          dx(ray.direction.x),
-          dy(ray.direction.y),
-          dz(ray.direction.z),
-          dd(dot(ray.direction, ray.direction)),
-          inverse_dd(T(1) / dd),
-          inverse_length(T(1) / sqrt(dd)) {}
+    double size; ///< the largest coordinate of the origin + 2, for the tree
+    float x, y, z, dx, dy,
+        dz; ///< origin and unit direction: each component is off by 5 rounding errors at most
+
+private:
+    static constexpr float shortest = limits::power_of_half<float>(60); // its square is still a float
+
+    double per_t_;
+    bool reliable_;
 };
 
-constexpr std::size_t group_lanes = 8; ///< the widest vectors' doubles
+constexpr std::size_t group_lanes = 16; ///< as many floats as the widest vectors have
 
 /// Column by column within a group; one that is not full takes no more room than its members.
-template <Scalar T, std::size_t columns> class Groups {
+template <std::size_t columns> class Groups {
 public:
-    void add(const std::array<T, columns>& numbers, std::uint32_t object) {
+    void add(const std::array<float, columns>& numbers, std::uint32_t object) {
         open_[pending_++] = numbers;
         object_.push_back(object);
         if (pending_ == group_lanes) end_group();
@@ -54,7 +71,7 @@ public:
     /// What was added at this place.
     [[nodiscard]] std::uint32_t operator[](std::size_t place) const { return object_[place]; }
     [[nodiscard]] std::size_t bytes() const {
-        return numbers_.capacity() * sizeof(T) + object_.capacity() * sizeof(std::uint32_t);
+        return numbers_.capacity() * sizeof(float) + object_.capacity() * sizeof(std::uint32_t);
     }
 
     /// Calls hit(object) for each of the members first … last − 1, which are whole groups, whose bit is set in
@@ -74,9 +91,9 @@ public:
     }
 
 private:
-    std::array<std::array<T, columns>, group_lanes> open_;
+    std::array<std::array<float, columns>, group_lanes> open_;
     std::size_t pending_ = 0;
-    std::vector<T> numbers_;
+    std::vector<float> numbers_;
     std::vector<std::uint32_t> object_;
 };
 

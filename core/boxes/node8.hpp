@@ -36,7 +36,8 @@ struct alignas(32) Node8 {
 };
 
 /// A ray made ready for them: see SlabRay. Float has few digits, so the margin is wider here:
-/// 4 ε · (largest coordinate of the origin + 2), where 2 is the size of the tree.
+/// 4 ε · (largest coordinate of the origin + 2), where 2 is the size of the tree. That is twice what the operations of
+/// `enter` round.
 class Ray8 {
 public:
     using Floats = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 8>>;
@@ -45,48 +46,50 @@ public:
     Ray8(const Ray<double>& ray, double scale, double distortion) : scale_(scale) {
         const double size = largest_component(absolute(ray.origin)) * scale + 2;
         const double margin = 4 * double(epsilon<float>) * size + 64 * epsilon<double> * distortion * size;
-        reliable_ = size < 0x1p50;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double inverse = 1 / ray.direction[int(axis)], origin = ray.origin[int(axis)] * scale;
             down_[axis] = ray.direction[int(axis)] < 0;
-            inverse_[axis] = float(magnitude(inverse) < 0x1p60 ? inverse : down_[axis] ? -0x1p60 : 0x1p60);
+            inverse_[axis] = float(magnitude(inverse) < huge ? inverse : down_[axis] ? -huge : huge);
             // The plane that is met first moves towards the ray, the other one away from it.
             near_[axis] = float(down_[axis] ? origin - margin : origin + margin);
             far_[axis] = float(down_[axis] ? origin + margin : origin - margin);
         }
     }
-    [[nodiscard]] bool reliable() const { return reliable_; }
     /// t in the tree's units, never rounded down.
-    [[nodiscard]] float reach(double t) const { return float(t * scale_) * (1 + rounding); }
+    [[nodiscard]] float reach(double t) const { return float(t * scale_) * (1 + 2 * epsilon<float>); }
 
     /// Which boxes a hit with 0 ≤ t ≤ reach may lie in, a bit for each, and where the ray enters these, never rounded up.
     struct Entered {
         unsigned boxes;
         std::array<float, 8> at;
     };
-    [[nodiscard]] Entered enter(const Node8& node, float reach) const {
-        Floats enter = 0.0F, exit = reach;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto &nearer = down_[axis] ? node.high[axis] : node.low[axis],
-                       &farther = down_[axis] ? node.low[axis] : node.high[axis];
-            const Floats a(nearer.data(), std::experimental::vector_aligned),
-                b(farther.data(), std::experimental::vector_aligned);
-            const Floats to = (a - near_[axis]) * inverse_[axis], from = (b - far_[axis]) * inverse_[axis];
-            where(to > enter, enter) = to;
-            where(from < exit, exit) = from;
-        }
-        const auto met = enter <= exit * (1 + rounding);
+    [[nodiscard, gnu::always_inline]] Entered enter(const Node8& node, float reach) const {
+        using std::experimental::max, std::experimental::min;
+        const auto at = [&](const std::array<float, 8>& planes, const std::array<float, 3>& origin,
+                            std::size_t axis) {
+            return (Floats(planes.data(), std::experimental::vector_aligned) - origin[axis]) * inverse_[axis];
+        };
+        const auto nearer = [&](std::size_t axis) {
+            return at(down_[axis] ? node.high[axis] : node.low[axis], near_, axis);
+        };
+        const auto farther = [&](std::size_t axis) {
+            return at(down_[axis] ? node.low[axis] : node.high[axis], far_, axis);
+        };
+        const Floats enter = max(max(nearer(0), nearer(1)), max(nearer(2), Floats(0.0F))),
+                     exit = min(min(farther(0), farther(1)), min(farther(2), Floats(reach)));
+        const auto met = enter <= exit;
         Entered entered{0, {}};
         for (std::size_t i = 0; i < 8; ++i) entered.boxes |= unsigned(met[i]) << i;
-        (enter * (1 - rounding)).copy_to(entered.at.data(), std::experimental::element_aligned);
+        enter.copy_to(entered.at.data(), std::experimental::element_aligned);
         return entered;
     }
 
 private:
-    static constexpr float rounding = 8 * epsilon<float>; // more than the few operations here round
+    // Instead of the inverse of a component that is 0 or nearly: products stay in range, and a ray that a GroupRay calls
+    // reliable is moved by far less than the margin.
+    static constexpr double huge = 0x1p100;
 
     double scale_;
-    bool reliable_;
     std::array<bool, 3> down_;
     std::array<float, 3> inverse_, near_, far_;
 };

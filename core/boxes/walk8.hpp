@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <span>
+#include <utility>
 
 namespace rayscope {
 
@@ -23,29 +24,40 @@ void walk8(std::span<const Node8> nodes, const Ray8& ray, const Reach& reach, st
     constexpr std::size_t deepest = 64;
     std::array<Ahead, 7 * deepest + 8> stack;
     std::size_t top = 0;
-    stack[top++] = {0, 0};
-    while (top > 0) {
-        const Ahead place = stack[--top];
-        const float limit = reach();
-        if (place.enter > limit) {
-            watch.left_out();
-            continue;
-        }
+    Ahead place{0, 0};
+    float limit = reach();
+    for (;;) {
+        bool descends = false;
         if ((place.child & Node8::leaf) != 0) {
             if (leaf(place.child & ~Node8::leaf)) return;
-            continue;
+            limit = reach();
+        } else {
+            ++visited;
+            watch.node(place.child);
+            const Node8& node = nodes[place.child];
+            const Ray8::Entered entered = ray.enter(node, limit);
+            const auto ahead = [&](unsigned boxes) {
+                const auto i = std::size_t(std::countr_zero(boxes));
+                return Ahead{node.child[i], entered.at[i]};
+            };
+            unsigned left = entered.boxes;
+            descends = left != 0;
+            if (descends) place = ahead(left);
+            // The others farthest first, so that the nearest is taken next.
+            const std::size_t bottom = top;
+            while ((left &= left - 1) != 0) {
+                Ahead other = ahead(left);
+                if (other.enter < place.enter) std::swap(other, place);
+                std::size_t at = top++;
+                for (; at > bottom && stack[at - 1].enter < other.enter; --at) stack[at] = stack[at - 1];
+                stack[at] = other;
+                if ((other.child & Node8::leaf) == 0) __builtin_prefetch(&nodes[other.child]);
+            }
         }
-        ++visited;
-        watch.node(place.child);
-        const Node8& node = nodes[place.child];
-        const Ray8::Entered entered = ray.enter(node, limit);
-        // Farthest first, so that the nearest is taken next.
-        const std::size_t bottom = top;
-        for (unsigned left = entered.boxes; left != 0; left &= left - 1) {
-            const auto i = std::size_t(std::countr_zero(left));
-            std::size_t at = top++;
-            for (; at > bottom && stack[at - 1].enter < entered.at[i]; --at) stack[at] = stack[at - 1];
-            stack[at] = {node.child[i], entered.at[i]};
+        for (; !descends; watch.left_out()) {
+            if (top == 0) return;
+            place = stack[--top];
+            if (place.enter <= limit) break;
         }
     }
 }

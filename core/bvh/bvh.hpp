@@ -56,18 +56,18 @@ template <typename Search>
 void Bvh<N>::look(const RayUse& /*use*/, Search& search) const {
     if (apart_.test(search)) return;
     if (nodes_.empty()) return;
-    const Ray8 ray(as<double>(search.ray()), scale_, distortion_);
-    if (!ray.reliable()) {
+    const GroupRay group_ray = bins_.ray(search.ray());
+    if (!group_ray.reliable()) {
         for (const std::uint32_t object : all_)
             if (search.test(object)) return;
         return;
     }
-    const GroupRay<T> group_ray(search.ray());
+    const Ray8 ray(as<double>(search.ray()), scale_, distortion_);
     Counters& counters = search.work().counters;
     const auto reach = [&] { return ray.reach(double(search.reach())); };
     const auto visit = [&](std::uint32_t bin) {
         ++counters.cells;
-        return bins_.each(bin, group_ray, search.reach(), counters,
+        return bins_.each(bin, group_ray, double(search.reach()), counters,
                           [&](std::uint32_t object) { return search.test(object); });
     };
     if constexpr (Search::recording) {

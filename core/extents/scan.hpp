@@ -42,15 +42,14 @@ template <typename Search>
 void Scan<N>::look(const RayUse& /*use*/, Search& search) const {
     constexpr bool recording = Search::recording;
     std::size_t met = 0, later = recording ? not_balls_.size() - others_.size() : 0;
-    const std::size_t end =
-        balls_.each_met(GroupRay<T>(search.ray()), 0, balls_.size(), [&](std::uint32_t object) {
-            ++met; // counted by its test
-            if (recording && this->world_.objects[object].is_compound) {
-                --later;
-                return false; // its turn comes below
-            }
-            return search.test(object);
-        });
+    const std::size_t end = balls_.each_met(search.ray(), 0, balls_.size(), [&](std::uint32_t object) {
+        ++met; // counted by its test
+        if (recording && this->world_.objects[object].is_compound) {
+            --later;
+            return false; // its turn comes below
+        }
+        return search.test(object);
+    });
     const std::size_t tested = std::min(end, ball_count_);
     const std::size_t unmet = tested - met - std::min(tested - met, later);
     search.work().counters.objects += unmet;

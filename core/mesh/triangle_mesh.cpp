@@ -34,7 +34,7 @@ TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)), hole_(find_h
         const auto first = std::uint32_t(groups_.size());
         for (const std::uint32_t i : members) {
             const MeshData::Corners& t = data_.triangles[i];
-            groups_.add(data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]], i);
+            groups_.add(data_.positions[t[0]], data_.positions[t[1]], data_.positions[t[2]], i, scale_);
         }
         groups_.end_group();
         return first << count_bits | std::uint32_t(leaf.size() - 1);

@@ -13,7 +13,7 @@ public:
     /// @param data at least one triangle, at most most_triangles. A closed mesh that is inside out is turned.
     explicit TriangleMesh(MeshData data);
 
-    static constexpr std::size_t most_triangles = std::size_t(1) << 28U;
+    static constexpr std::size_t most_triangles = std::size_t(1) << 27U;
 
     [[nodiscard]] const MeshData& data() const { return data_; }
     [[nodiscard]] std::size_t size() const { return data_.triangles.size(); }
@@ -26,13 +26,13 @@ public:
     /// @param unit ε of whoever tests them
     template <typename Reach, typename Visit>
     void along(const Ray<double>& ray, double unit, const Reach& reach, const Visit& visit) const {
-        const Ray8 ray8(ray, scale_, 1);
-        if (!ray8.reliable()) {
+        const GroupRay group_ray(ray, scale_);
+        if (!group_ray.reliable()) {
             if (!may_meet_from_afar(ray)) return;
             for (std::uint32_t i = 0; i < size(); ++i) visit(i);
             return;
         }
-        const GroupRay<double> group_ray(ray);
+        const Ray8 ray8(ray, scale_, 1);
         const auto test = [&](std::uint32_t triangle) {
             visit(triangle);
             return false;
@@ -55,7 +55,7 @@ public:
 
 private:
     // A leaf's number: its first place in groups_, and how many follow it.
-    static constexpr std::uint32_t count_bits = 3, count_mask = 7;
+    static constexpr std::uint32_t count_bits = 4, count_mask = 15;
 
     [[nodiscard]] bool may_meet_from_afar(const Ray<double>& ray) const;
 
@@ -64,7 +64,7 @@ private:
     std::optional<Hole> hole_;
     double scale_ = 1;
     std::vector<Node8> nodes_;
-    TriangleGroups<double> groups_; // one a leaf
+    TriangleGroups groups_; // one a leaf
 };
 
 } // namespace rayscope

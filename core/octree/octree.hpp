@@ -90,18 +90,18 @@ template <typename Search>
 void Octree<N>::look(const RayUse& /*use*/, Search& search) const {
     if (apart_.test(search)) return;
     if (all_.empty()) return;
-    const SlabRay<double> ready = slabs(search.ray());
-    if (!ready.reliable()) {
+    const GroupRay group_ray = bins_.ray(search.ray());
+    if (!group_ray.reliable()) {
         for (const std::uint32_t object : all_)
             if (search.test(object)) return;
         return;
     }
     Work<T>& work = search.work();
     work.mailbox.open(this->world_.objects.size());
-    const GroupRay<T> group_ray(search.ray());
+    const SlabRay<double> ready = slabs(search.ray());
     const auto reach = [&] { return double(search.reach()); };
     const auto visit = [&](std::uint32_t bin) {
-        return bins_.each(bin, group_ray, search.reach(), work.counters, [&](std::uint32_t object) {
+        return bins_.each(bin, group_ray, double(search.reach()), work.counters, [&](std::uint32_t object) {
             return work.mailbox.first_visit(object) && search.test(object);
         });
     };
@@ -134,42 +134,55 @@ void Octree<N>::walk(const SlabRay<double>& slabs, Counters& counters, const Rea
     }
     const OctreeRay ray(slabs);
     // Depth first: while its parts are still to come, the cell of a node stays where it is.
-    std::array<Cell, OctreeLimits::deepest + 2> cells;
+    std::array<Cell, OctreeLimits::deepest + 1> cells;
     std::array<Step, 7 * OctreeLimits::deepest + 8> stack;
     std::array<double, 8> enters;
     std::size_t top = 0;
     std::uint32_t place = root_;
     std::uint32_t depth = 0;
-    cells[0] = whole_;
+    Cell cell = whole_;
     for (;;) {
+        bool descends = false;
+        unsigned child = 0;
         if ((place & leaf) != 0) {
             ++counters.cells;
-            if (enter(place & ~leaf, cells[depth])) return;
+            if (enter(place & ~leaf, cell)) return;
             limit = reach();
         } else {
             ++counters.nodes;
             const OctreeNode& node = nodes_[place];
-            watch.node(place, node, cells[depth]);
+            watch.node(place, node, cell);
             const unsigned filled = unsigned(node.divided) | unsigned(node.leaves);
-            unsigned met = ray.in_ray_order(ray.meet(node, cells[depth], limit, enters) & filled);
-            while (met != 0) { // the nearest comes last, to be taken first
+            unsigned met = ray.in_ray_order(ray.meet(node, cell, limit, enters) & filled);
+            const auto take = [&] { // the farthest of those that are left
                 const auto last = unsigned(std::bit_width(met)) - 1U;
-                const unsigned child = last ^ ray.mirror();
-                const bool ends = (node.leaves >> child & 1U) != 0;
-                const std::uint32_t next = ends ? node.leaf_of(child) | leaf : node.node_of(child);
                 met &= ~(1U << last);
-                if (!ends) __builtin_prefetch(&nodes_[next]); // its turn comes late enough for that to help
-                stack[top++] = {next, std::uint16_t(depth), std::uint16_t(child), enters[child]};
+                child = last ^ ray.mirror();
+                return (node.leaves >> child & 1U) != 0 ? node.leaf_of(child) | leaf : node.node_of(child);
+            };
+            descends = met != 0;
+            if (descends) {
+                cells[depth] = cell;
+                while ((met & (met - 1)) != 0) {
+                    const std::uint32_t next = take();
+                    if ((next & leaf) == 0) __builtin_prefetch(&nodes_[next]); // its turn comes late enough
+                    stack[top++] = {next, std::uint16_t(depth), std::uint16_t(child), enters[child]};
+                }
+                place = take();
             }
         }
-        for (;; watch.left_out()) {
+        for (; !descends; watch.left_out()) {
             if (top == 0) return;
-            if (stack[--top].enter <= limit) break;
+            const Step& step = stack[--top];
+            if (step.enter > limit) continue;
+            place = step.place;
+            depth = step.depth;
+            child = step.child;
+            cell = cells[depth];
+            break;
         }
-        const Step& step = stack[top];
-        place = step.place;
-        depth = step.depth + 1U;
-        cells[depth] = cells[step.depth].part(step.child);
+        cell = cell.part(child);
+        ++depth;
     }
 }
 

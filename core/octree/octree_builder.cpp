@@ -1,5 +1,8 @@
 #include "core/octree/octree_builder.hpp"
 
+#include "core/boxes/box_tree.hpp"
+
+#include <algorithm>
 #include <chrono>
 
 #include <fmt/format.h>
@@ -7,12 +10,12 @@
 namespace rayscope {
 namespace {
 
-// In units of a ball that is tested with seven others: what it takes to go through a node, and into a leaf. Measured, a
-// node takes about 20, but a tree with so few of them tests six times as much among 10⁶ balls as among 10³; with these, no
-// more, in 1.0 to 1.25 times the time.
-constexpr double node_cost = 7, leaf_cost = 6;
-// More objects than this are divided though it does not pay at once …
-constexpr int usual_capacity = 8;
+// In the units of test_cost: what it takes to go through a node, and into a leaf. Measured.
+constexpr double node_cost = 15, leaf_cost = 3;
+// More objects than this, three groups of balls, are divided though it does not pay at once …
+constexpr int usual_capacity = 48;
+// … but more than this where there are few: they would fit into one cell, and nobody could see what an octree does.
+constexpr int least_capacity = 8, objects_per_capacity = 16;
 // … so many times in a row: balls that touch each other part only two levels below.
 constexpr int patience = 2;
 // A cell with an edge of so many times the reach of rounding still parts something.
@@ -59,6 +62,7 @@ template <Numbers N> void OctreeBuilder<N>::sort_out() {
         tree_.whole_ = {tree_.bounds_.low, largest_component(tree_.bounds_.high - tree_.bounds_.low)};
     tree_.size_ = size + tree_.whole_.edge;
     tree_.distortion_ = reach.distortion;
+    tree_.bins_.set_scale(tree_scale(tree_.size_));
     lists_ = tree_.all_;
     parts_.prepare(lists_, 64 * epsilon<double> * tree_.size_);
 }
@@ -81,7 +85,9 @@ template <Numbers N> void OctreeBuilder<N>::choose_limits() {
                             : "smaller cells are not told from each other by coordinates of this size";
     }
     if (limits_.capacity == 0) {
-        limits_.capacity = usual_capacity;
+        limits_.capacity =
+            std::clamp(int(std::min(lists_.size() / objects_per_capacity, std::size_t(usual_capacity))),
+                       least_capacity, usual_capacity);
         reasons.capacity =
             "more are divided, fewer where a ray saves more than it takes to go through the parts";
     }

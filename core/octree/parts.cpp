@@ -10,7 +10,7 @@ template <Numbers N> void OctreeParts<N>::prepare(std::span<const std::uint32_t>
     for (const std::uint32_t id : objects) {
         const Object& object = world_.objects[id];
         Brief& brief = brief_[id];
-        brief.cost = float(test_cost(world_, object));
+        brief.cost = float(test_cost_in_leaf(world_, object));
         if (!world_.is_ball(object)) continue;
         const Solid<N>& ball = world_.solids[object.index];
         brief.centre = as<double>(ball.transform.translation());

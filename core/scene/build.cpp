@@ -1,6 +1,7 @@
 #include "core/scene/build.hpp"
 
 #include "core/boxes/slab_ray.hpp"
+#include "core/generics/test_costs.hpp"
 #include "core/math/substituted.hpp"
 #include "core/scene/expand.hpp"
 
@@ -70,9 +71,6 @@ template <Numbers N> Solid<N> solid_of(const Placed& placed) {
     }
     return solid;
 }
-
-// What a line's test of a generic costs, by its index, in tests of a box: bench/accuracy_cost.cpp has the times.
-constexpr std::array<double, generic_kinds> test_costs{2, 1, 4, 5, 3, 20, 6, 4, 5, 20};
 
 // Builds what all numbers share, and hands out the solids one by one.
 class Builder {
@@ -232,10 +230,28 @@ private:
 
 } // namespace
 
+namespace {
+
+// Copies of the balls, where they are worth the memory.
+template <Numbers N> void gather_balls(World<N>& world) {
+    const auto is_ball = [&](const Object& object) { return world.is_ball(object); };
+    if (4 * std::ranges::count_if(world.objects, is_ball) < std::ssize(world.objects)) return;
+    world.balls.resize(world.objects.size());
+    for (std::size_t id = 0; id < world.objects.size(); ++id) {
+        const Object& object = world.objects[id];
+        if (!is_ball(object)) continue;
+        const Solid<N>& solid = world.solids[object.index];
+        world.balls[id] = {solid.transform.translation(), std::get<Sphere<N>>(solid.shape), object.index};
+    }
+}
+
+} // namespace
+
 template <Numbers N> World<N> build(const Scene& scene) {
     World<N> world;
     static_cast<WorldBase&>(world) =
         Builder(scene, [&](const Placed& placed) { world.solids.push_back(solid_of<N>(placed)); }).build();
+    gather_balls(world);
     return world;
 }
 

@@ -80,7 +80,7 @@ private:
         builder_.add_face(vertices_, has_normals_ ? std::span<const std::uint32_t>(normals_)
                                                   : std::span<const std::uint32_t>());
         if (builder_.mesh.triangles.size() > TriangleMesh::most_triangles)
-            fail("the mesh has more than 2^28 triangles");
+            fail("the mesh has more than 2^27 triangles");
     }
 
     // Counted from 1, or with a minus from the last one.

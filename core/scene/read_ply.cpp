@@ -115,7 +115,7 @@ private:
             }
             builder_.add_face(corners_);
             if (builder_.mesh.triangles.size() > TriangleMesh::most_triangles)
-                body_.fail("the mesh has more than 2^28 triangles");
+                body_.fail("the mesh has more than 2^27 triangles");
         });
         list_column_.reset();
     }

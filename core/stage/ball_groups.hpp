@@ -1,55 +1,57 @@
 #pragma once
-// Balls in groups: their centres and radii.
+// Balls in groups: their centres and radii, in floats.
 
+#include "core/boxes/groups.hpp"
 #include "core/stage/balls.hpp"
 
 #include <experimental/simd>
 
 namespace rayscope {
 
-/// All x, all y, all z, all radii.
-template <Numbers N> class BallGroups : public Groups<ScalarOf<N>, 4> {
+/// Leaves out what a line passes by far enough that no rounding could tell otherwise; a kernel answers for the rest.
+class BallGroups : public Groups<4> {
 public:
-    using T = ScalarOf<N>;
-
-    void add(const Solid<N>& ball, std::uint32_t object) {
-        const Vec3<T>& centre = ball.transform.translation();
-        Groups<T, 4>::add({centre.x, centre.y, centre.z, std::get<Sphere<N>>(ball.shape).radius}, object);
+    /// @param ball a solid with is_ball
+    template <Numbers N> void add(const Solid<N>& ball, std::uint32_t object, double scale) {
+        const auto centre = as<float>(as<double>(ball.transform.translation()) * scale);
+        Groups::add(
+            {centre.x, centre.y, centre.z, float(double(std::get<Sphere<N>>(ball.shape).radius) * scale)},
+            object);
     }
 
     /// Calls hit(object) for each of the balls first … last − 1, which are whole groups, that may have a crossing with
     /// 0 ≤ t ≤ reach, until it returns true.
     /// @return the ball after the one that ended it, or `last`
     template <typename OnHit>
-    std::size_t each_near(const GroupRay<T>& ray, T reach, std::size_t first, std::size_t last,
+    std::size_t each_near(const GroupRay& ray, double reach, std::size_t first, std::size_t last,
                           const OnHit& hit) const {
-        const auto near = [&](const T* numbers, std::size_t count) {
-            return near_of(ray, reach, numbers, count);
+        const auto near = [&, limit = ray.reach(reach)](const float* numbers, std::size_t count) {
+            return near_of(ray, limit, numbers, count);
         };
         return this->each(first, last, near, hit);
     }
 
 private:
-    // Bit i: the Sphere kernel finds a chord of ball i, and it may lie in the range. Both of its ends are within a radius
-    // of its middle; the slack is far above what a kernel's mended root, or a compound's merged crossings, may lie
-    // beside them.
-    [[gnu::noinline]] static unsigned near_of(const GroupRay<T>& ray, T reach, const T* numbers,
-                                              std::size_t count) {
-        const T *cx = numbers, *cy = cx + count, *cz = cy + count, *radius = cz + count;
-        constexpr T slack = limits::power_of_half<T>(limits::digits<T> / 2 - 6);
-        const T widened = ray.inverse_length * (T(1) + slack);
-        alignas(64) std::array<T, group_lanes> least;
-        for (std::size_t i = 0; i < group_lanes; ++i) {
-            const auto chord = Sphere<N>::Chord::of(ray.x - cx[i], ray.y - cy[i], ray.z - cz[i], ray.dx,
-                                                    ray.dy, ray.dz, ray.dd, ray.inverse_dd, radius[i]);
-            const T half = fma(radius[i], widened, slack * magnitude(chord.middle));
-            least[i] = minimum(chord.squared, minimum(half + chord.middle, half + (reach - chord.middle)));
-        }
-        using Lanes = std::experimental::native_simd<T>;
+    using Lanes = std::experimental::native_simd<float>;
+
+    // Bit i: the Sphere kernel may find a crossing of ball i in the range. With u half a float's ε, and S the ray's size,
+    // each coordinate of a centre seen from the origin is off by 3uS, and what follows from it, the middle of the chord
+    // and the line's distance from the centre, by 22uS and 34uS at most. 64uS also hold the rounding of the radius, and
+    // what a kernel's crossing may lie beside its ball.
+    static unsigned near_of(const GroupRay& ray, float reach, const float* numbers, std::size_t count) {
+        const auto margin = float(32 * double(epsilon<float>) * ray.size);
         unsigned near = 0;
         for (std::size_t part = 0; part < group_lanes; part += Lanes::size()) {
-            const auto positive = Lanes(&least[part], std::experimental::vector_aligned) > T(0);
-            for (std::size_t i = 0; i < Lanes::size(); ++i) near |= unsigned(positive[i]) << (part + i);
+            const auto column = [&](std::size_t which) {
+                return Lanes(numbers + which * count + part, std::experimental::element_aligned);
+            };
+            const Lanes x = column(0) - ray.x, y = column(1) - ray.y, z = column(2) - ray.z,
+                        radius = column(3) + margin;
+            const Lanes middle = x * ray.dx + y * ray.dy + z * ray.dz;
+            const Lanes px = x - middle * ray.dx, py = y - middle * ray.dy, pz = z - middle * ray.dz;
+            const auto met = (radius * radius >= px * px + py * py + pz * pz) & (middle + radius >= 0.0F) &
+                             (reach + radius >= middle);
+            for (std::size_t i = 0; i < Lanes::size(); ++i) near |= unsigned(met[i]) << (part + i);
         }
         return near;
     }

@@ -1,7 +1,6 @@
 #pragma once
 // Spheres that no matrix distorts, stored component by component, so that the compiler tests several at once.
 
-#include "core/boxes/groups.hpp"
 #include "core/world/work.hpp"
 #include "core/world/world.hpp"
 
@@ -26,7 +25,7 @@ template <Numbers N>
 template <Numbers N> class Balls {
 public:
     using T = ScalarOf<N>;
-    static constexpr std::size_t lanes = group_lanes;
+    static constexpr std::size_t lanes = 8; ///< the widest vectors' doubles
 
     /// @param ball a solid with is_ball
     void add(const Solid<N>& ball, std::uint32_t object) {
@@ -58,10 +57,10 @@ public:
     /// Both ends are multiples of `lanes`.
     /// @return the ball after the one that ended it, or `last`
     template <typename OnHit>
-    std::size_t each_met(const GroupRay<T>& ray, std::size_t first, std::size_t last,
-                         const OnHit& hit) const {
+    std::size_t each_met(const Ray<T>& ray, std::size_t first, std::size_t last, const OnHit& hit) const {
+        const T dd = dot(ray.direction, ray.direction), inverse_dd = T(1) / dd;
         for (; first < last; first += lanes)
-            for (unsigned met = met_of(ray, first); met != 0; met &= met - 1) {
+            for (unsigned met = met_of(ray, dd, inverse_dd, first); met != 0; met &= met - 1) {
                 const auto i = std::size_t(std::countr_zero(met));
                 if (object_[first + i] != no_object && hit(object_[first + i])) return first + i + 1;
             }
@@ -73,12 +72,13 @@ private:
 
     // Bit i: the ray's line meets ball first + i. A function of its own, small enough for the compiler to make vector
     // instructions of it.
-    [[gnu::noinline]] unsigned met_of(const GroupRay<T>& ray, std::size_t first) const {
+    [[gnu::noinline]] unsigned met_of(const Ray<T>& ray, T dd, T inverse_dd, std::size_t first) const {
+        const Vec3<T>&o = ray.origin, &d = ray.direction;
         const T *cx = &x_[first], *cy = &y_[first], *cz = &z_[first], *radius = &radius_[first];
         std::array<T, lanes> squared;
         for (std::size_t i = 0; i < lanes; ++i)
-            squared[i] = Sphere<N>::Chord::of(ray.x - cx[i], ray.y - cy[i], ray.z - cz[i], ray.dx, ray.dy,
-                                              ray.dz, ray.dd, ray.inverse_dd, radius[i])
+            squared[i] = Sphere<N>::Chord::of(o.x - cx[i], o.y - cy[i], o.z - cz[i], d.x, d.y, d.z, dd,
+                                              inverse_dd, radius[i])
                              .squared;
         unsigned met = 0;
         for (std::size_t i = 0; i < lanes; ++i) met |= unsigned(squared[i] > T(0)) << i;

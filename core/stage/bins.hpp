@@ -11,15 +11,20 @@ template <Numbers N> class Bins {
 public:
     using T = ScalarOf<N>;
 
+    /// @param scale see tree_scale
+    void set_scale(double scale) { scale_ = scale; }
+    [[nodiscard]] GroupRay ray(const Ray<T>& ray) const { return {as<double>(ray), scale_}; }
+
     /// Puts copies of these objects into a new bin.
     /// @return its number: they are counted from 0
     std::uint32_t add(const World<N>& world, std::span<const std::uint32_t> objects) {
         for (const std::uint32_t object : objects) {
             if (const auto ball = deciding_ball(world, world.objects[object])) {
-                balls_.add(world.solids[*ball], object);
+                balls_.add(world.solids[*ball], object, scale_);
             } else if (const auto* triangle = free_triangle(world, world.objects[object])) {
                 const auto& corner = triangle->vertices();
-                triangles_.add(corner[0], corner[1], corner[2], object);
+                triangles_.add(as<double>(corner[0]), as<double>(corner[1]), as<double>(corner[2]), object,
+                               scale_);
             } else {
                 others_.push_back(object);
             }
@@ -47,7 +52,7 @@ public:
     /// Calls visit(object) for what a ray may hit in a bin with 0 ≤ t ≤ reach, until it returns true; so does this then.
     /// Balls and triangles that it can't hit are only counted.
     template <typename Visit>
-    bool each(std::uint32_t bin, const GroupRay<T>& ray, T reach, Counters& counters,
+    bool each(std::uint32_t bin, const GroupRay& ray, double reach, Counters& counters,
               const Visit& visit) const {
         const Ends &first = ends_[bin], &last = ends_[bin + 1];
         if (first.balls < last.balls &&
@@ -73,7 +78,7 @@ private:
 
     template <typename Shape, typename OfOneKind, typename Visit>
     static bool each_near(const OfOneKind& groups, std::uint32_t first, std::uint32_t last,
-                          const GroupRay<T>& ray, T reach, Counters& counters, const Visit& visit) {
+                          const GroupRay& ray, double reach, Counters& counters, const Visit& visit) {
         bool done = false;
         std::size_t met = 0;
         const std::size_t end = groups.each_near(ray, reach, first, last, [&](std::uint32_t object) {
@@ -86,8 +91,9 @@ private:
         return done;
     }
 
-    BallGroups<N> balls_;
-    TriangleGroups<T> triangles_;
+    double scale_ = 1;
+    BallGroups balls_;
+    TriangleGroups triangles_;
     std::vector<std::uint32_t> others_;
     std::vector<Ends> ends_{{0, 0, 0}}; // bin i lies between entries i and i + 1
 };

@@ -3,6 +3,7 @@
 
 #include "core/stage/ray_use.hpp"
 #include "core/stage/record_object.hpp"
+#include "core/world/first_of_object.hpp"
 
 #include <algorithm>
 
@@ -47,7 +48,8 @@ public:
           leaving_(leaving),
           work_(work),
           recorder_(recorder),
-          nearest_(ray) {
+          nearest_(ray),
+          reach_(range.max) {
         // What the ray leaves starts with a crossing at t = 0 that no box knows of.
         for (const LeavingSurface<T>& surface : leaving) test(surface.object, &surface);
     }
@@ -58,7 +60,7 @@ public:
         return false;
     }
     /// What begins beyond this t can't change the answer.
-    [[nodiscard]] T reach() const { return minimum(range_.max, nearest_.reach()); }
+    [[nodiscard]] T reach() const { return reach_; }
     [[nodiscard]] bool done() const { return false; }
     [[nodiscard]] SearchEnd end() const
         requires recording
@@ -74,8 +76,16 @@ private:
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled)
             record_object(world_, object, ray_, range_, start, work_.tests_parts, recorder_);
-        if (const auto first = first_of_object(world_, object, ray_, range_, start, work_))
-            nearest_.offer(*first);
+        const Ball<N>* ball = start == nullptr ? world_.ball_of(object) : nullptr;
+        if (ball != nullptr) {
+            if (const auto first = first_of_ball(*ball, object, ray_, range_, work_)) offer(*first);
+        } else if (const auto first = first_of_object(world_, object, ray_, range_, start, work_)) {
+            offer(*first);
+        }
+    }
+    void offer(const Hit<T>& hit) {
+        nearest_.offer(hit);
+        reach_ = minimum(range_.max, nearest_.reach());
     }
 
     const World<N>& world_;
@@ -85,6 +95,7 @@ private:
     Work<T>& work_;
     Recorder& recorder_;
     Nearest<T> nearest_;
+    T reach_;
 };
 
 /// Whether an opaque object has a crossing in the range. If there is none, work.blockers holds the crossings of
@@ -138,6 +149,8 @@ private:
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled)
             record_object(world_, object, ray_, range_, start, work_.tests_parts, recorder_);
+        const Ball<N>* ball = start == nullptr ? world_.ball_of(object) : nullptr;
+        if (ball != nullptr) return test_ball(*ball, object);
         if (!world_.material_of(object).transmits()) {
             blocked_ = first_of_object(world_, object, ray_, range_, start, work_).has_value();
             return;
@@ -149,6 +162,17 @@ private:
                 if (c.t > first->t && range_.contains(c.t))
                     work_.blockers.push_back({c.t, object, c.surface});
         }
+    }
+    // Most are missed, and their materials need not be asked for.
+    void test_ball(const Ball<N>& ball, std::uint32_t object) {
+        const auto first = first_of_ball(ball, object, ray_, range_, work_);
+        if (!first) return;
+        blocked_ = !world_.material_of(object).transmits();
+        if (blocked_) return;
+        work_.blockers.push_back({first->t, object, first->surface});
+        for (const Interval<T>& inside : ball.intervals(ray_))
+            if (inside.exit > first->t && range_.contains(inside.exit))
+                work_.blockers.push_back({inside.exit, object, ball.surface(inside.exit_face)});
     }
 
     const World<N>& world_;

@@ -8,7 +8,7 @@
 
 namespace rayscope {
 
-/// Not inlined: see first_from_mesh.
+/// Not inlined, lest what is the same for all shapes becomes too large to be.
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[gnu::noinline]] void append_mesh_crossings(const Solid<N>& solid, std::uint32_t index, const Ray<T>& ray,
                                              int leaving, Work<T>& work) {
@@ -214,82 +214,6 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     return std::any_of(work.of_operands.begin(), work.of_operands.end(), [&](const OperandEnd<T>& other) {
         return other.solid != crossing.surface.solid && near.holds(other.t, other.solid);
     });
-}
-
-/// The same as `first_of_object` where the ray starts on the outside of this mesh: not all of the line need be looked at.
-/// Not inlined, lest what is the same for all shapes becomes too large to be.
-template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard, gnu::noinline]] std::optional<Hit<T>>
-first_from_mesh(const World<N>& world, std::uint32_t object, const Ray<T>& ray, const Range<T>& range,
-                const LeavingSurface<T>& leaving, Work<T>& work) {
-    const std::uint32_t index = world.objects[object].index;
-    const Solid<N>& solid = world.solids[index];
-    ++work.counters.objects;
-    ++work.counters.tests[solid.shape.index()];
-    const auto first = std::get<Mesh<N>>(solid.shape)
-                           .closest(solid.transform.to_object(ray), range, leaving.face_of(index),
-                                    [&](const MeshCrossing<T>& c) {
-                                        return is_start(world, ray, solid.crossing_of(c, index), leaving);
-                                    });
-    if (!first) return std::nullopt;
-    return Hit<T>{first->t, object, solid.crossing_of(*first, index).surface, first->entering, false};
-}
-
-/// Whether the ray, which starts on this solid and does not lead through the surface, surely never meets it again: a line
-/// meets a plane once, and who runs away from a ball's centre has left it.
-template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] bool left_for_good(const Solid<N>& solid, std::uint32_t index, const Ray<T>& ray,
-                                 const LeavingSurface<T>& leaving) {
-    if (leaving.face_of(index) == no_face || leaving.crosses) return false;
-    if (solid.is_ball)
-        return !leaving.starts_inside &&
-               dot(ray.origin - solid.transform.translation(), ray.direction) >= T(0);
-    return std::holds_alternative<Plane<N>>(solid.shape) || std::holds_alternative<Polygon<N>>(solid.shape);
-}
-
-/// The same where the ray starts on a plain solid that is no mesh: its few crossings need no list.
-template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] std::optional<Crossing<T>> first_from_solid(const World<N>& world, std::uint32_t index,
-                                                          const Ray<T>& ray, const Range<T>& range,
-                                                          const LeavingSurface<T>& leaving, Work<T>& work) {
-    const Solid<N>& solid = world.solids[index];
-    ++work.counters.objects;
-    ++work.counters.tests[solid.shape.index()];
-    if (left_for_good(solid, index, ray, leaving)) return std::nullopt;
-    std::array<Crossing<T>, 4> ends;
-    std::size_t count = 0;
-    each_crossing(solid.intervals(ray, leaving.face_of(index)), index,
-                  [&](const Crossing<T>& c) { ends[count++] = c; });
-    return first_crossing(world, ray, {ends.data(), count}, range, &leaving);
-}
-
-/// The first crossing in the range of one object, whatever it is.
-template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] std::optional<Hit<T>> first_of_object(const World<N>& world, std::uint32_t object,
-                                                    const Ray<T>& ray, const Range<T>& range,
-                                                    const LeavingSurface<T>* leaving, Work<T>& work) {
-    const Object& o = world.objects[object];
-    const auto hit = [&](const Crossing<T>& c, bool crowded) {
-        return Hit<T>{c.t, object, c.surface, c.entering, crowded};
-    };
-    if (leaving == nullptr && !o.is_compound) {
-        ++work.counters.objects;
-        ++work.counters.tests[world.solids[o.index].shape.index()];
-        const auto first = world.solids[o.index].closest(ray, range, o.index);
-        return first ? std::optional(hit(*first, false)) : std::nullopt;
-    }
-    const bool is_from_mesh =
-        leaving != nullptr && !o.is_compound && std::holds_alternative<Mesh<N>>(world.solids[o.index].shape);
-    if (is_from_mesh && !leaving->crosses && !leaving->starts_inside)
-        return first_from_mesh(world, object, ray, range, *leaving, work);
-    if (!o.is_compound && !is_from_mesh) {
-        const auto first = first_from_solid(world, o.index, ray, range, *leaving, work);
-        return first ? std::optional(hit(*first, false)) : std::nullopt;
-    }
-    const auto first =
-        first_crossing(world, ray, crossings(world, object, ray, leaving, work), range, leaving);
-    if (!first) return std::nullopt;
-    return hit(*first, o.is_compound && crowded(world, ray, *first, work));
 }
 
 } // namespace rayscope

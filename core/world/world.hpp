@@ -92,8 +92,31 @@ struct WorldBase {
     }
 };
 
+/// What the kernel of a plain ball reads, in one line of the cache: a Solid takes up several, and among 10⁵ of them each
+/// is far away.
+template <Numbers N> struct alignas(64) Ball {
+    using T = ScalarOf<N>;
+    static constexpr std::uint32_t no_ball = ~std::uint32_t(0);
+
+    Vec3<T> centre{T(0)};
+    Sphere<N> sphere;
+    std::uint32_t solid = no_ball; ///< index into World::solids
+
+    /// See Solid.
+    [[nodiscard]] Intervals<T> intervals(const Ray<T>& ray) const {
+        return sphere.intervals({ray.origin - centre, ray.direction});
+    }
+    [[nodiscard]] Surface surface(int face) const { return {solid, std::int32_t(face), false}; }
+};
+
 template <Numbers N> struct World : WorldBase {
     std::vector<Solid<N>> solids;
+    std::vector<Ball<N>> balls; ///< by object, as many as have copies: none where few are balls
+
+    /// Nothing where the object is no ball, or has no copy: then its solid is to be asked.
+    [[nodiscard]] const Ball<N>* ball_of(std::uint32_t object) const {
+        return object < balls.size() && balls[object].solid != Ball<N>::no_ball ? &balls[object] : nullptr;
+    }
 
     /// A plain solid that is a sphere at its place in world space.
     [[nodiscard]] bool is_ball(const Object& object) const {

@@ -84,7 +84,7 @@ TEST(Balls, meet_a_ball_exactly_where_its_kernel_finds_a_chord) {
     for (int i = 0; i < samples(3000); ++i) {
         const Ray<double> ray{random.in_cube(4), random.direction() * random.decade(-5, 5)};
         std::vector<std::uint32_t> met, expected;
-        const std::size_t end = balls.each_met(GroupRay<double>(ray), 0, balls.size(), [&](std::uint32_t id) {
+        const std::size_t end = balls.each_met(ray, 0, balls.size(), [&](std::uint32_t id) {
             met.push_back(id);
             return false;
         });
@@ -97,7 +97,7 @@ TEST(Balls, meet_a_ball_exactly_where_its_kernel_finds_a_chord) {
         met_in_all += met.size();
         if (met.size() < 2) continue;
         std::vector<std::uint32_t> until_second;
-        balls.each_met(GroupRay<double>(ray), 0, balls.size(), [&](std::uint32_t id) {
+        balls.each_met(ray, 0, balls.size(), [&](std::uint32_t id) {
             until_second.push_back(id);
             return until_second.size() == 2;
         });
