@@ -69,11 +69,21 @@ BestChoice best_choice(const World<double>& world) {
     if (2 * std::size_t(polygons) > count)
         return {{StageKind::bvh, StageKind::bvh, StageKind::bvh},
                 objects + ", mostly polygons: in boxes they are tested eight at a time, in lists one by one"};
-    return {{StageKind::projective, StageKind::light, StageKind::bvh},
-            objects + (parts_apart ? ", with boxes around parts of a compound" : "") +
-                (cost > 2 * double(count) ? fmt::format(", as dear to test as {:.0f} balls", cost) : "") +
-                ": the screen and each light list what they see in every direction; mirrored and refracted "
-                "rays walk through boxes"};
+    const bool mirrors = std::ranges::any_of(world.objects, [&](const Object& object) {
+        const Material& material = world.material_of(object);
+        return largest_component(material.reflection) > 0 || material.transmits() ||
+               material.patterns != none;
+    });
+    const bool shadows = std::ranges::any_of(world.lights, [](const Light& light) { return light.shadows; });
+    // For rays that there are none of, nothing is built.
+    return {
+        {StageKind::projective, shadows ? StageKind::light : StageKind::scan,
+         mirrors ? StageKind::bvh : StageKind::scan},
+        objects + (parts_apart ? ", with boxes around parts of a compound" : "") +
+            (cost > 2 * double(count) ? fmt::format(", as dear to test as {:.0f} balls", cost) : "") +
+            (shadows ? ": the screen and each light list what they see in every direction"
+                     : ": the screen lists what it sees in every direction; no light casts shadows") +
+            (mirrors ? "; mirrored and refracted rays walk through boxes" : "; nothing mirrors or refracts")};
 }
 
 } // namespace rayscope
