@@ -35,8 +35,8 @@ struct GroupRay {
     }
 
     double size; ///< the largest coordinate of the origin + 2, for the tree
-    float x, y, z, dx, dy,
-        dz; ///< origin and unit direction: each component is off by 5 rounding errors at most
+    /// Origin and unit direction: each component is off by 5 rounding errors at most.
+    float x, y, z, dx, dy, dz;
 
 private:
     static constexpr float shortest = limits::power_of_half<float>(60); // its square is still a float

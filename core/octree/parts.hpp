@@ -29,7 +29,7 @@ public:
     void share(std::span<const std::uint32_t> objects, const Cell& cell);
     [[nodiscard]] const std::array<Part, 8>& parts() const { return parts_; }
 
-    /// What testing an object costs, in units of a ball that is tested with seven others.
+    /// What testing an object costs: see test_cost_in_leaf.
     [[nodiscard]] double cost_of(std::uint32_t object) const { return double(brief_[object].cost); }
     [[nodiscard]] Box<double> bounds_of(std::uint32_t object) const;
 
