@@ -116,6 +116,12 @@ Svg time_against_n(const Subject& subject) {
         names.push_back({points.back(), std::string(look.stage) + " × " + digits(times, times < 10 ? 1 : 0),
                          look.colour});
     }
+    // Within the plot, above a line of its grid that would go through it.
+    const double row = plot.height / (high - low);
+    for (Name& name : names) {
+        const double above = std::remainder(plot.bottom() - name.end.y, row);
+        if (name.end.x < plot.right() && std::abs(above) < 18) name.end.y -= 18 - above;
+    }
     // From below upwards, none over another.
     std::sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.end.y > b.end.y; });
     double free = infinity<double>;
