@@ -83,7 +83,6 @@ public:
         world_.objects.reserve(scene_.drawn.size());
         for (const SceneObject& object : scene_.drawn)
             object.is_compound ? add_compound(object.index) : add_generic(object.index);
-        gather_media();
         return std::move(world_);
     }
 
@@ -208,18 +207,6 @@ private:
         }
     }
 
-    void gather_media() {
-        std::vector<std::uint32_t> transmitting;
-        std::vector<Box<double>> bounds;
-        for (std::uint32_t id = 0; id < world_.objects.size(); ++id) {
-            const Object& object = world_.objects[id];
-            if (!object.has_volume || !world_.material_of(object).transmits()) continue;
-            transmitting.push_back(id);
-            bounds.push_back(object.bounds);
-        }
-        world_.media = MediaNeighbours(std::move(transmitting), bounds);
-    }
-
     const Scene& scene_;
     std::function<void(const Placed&)> place_;
     WorldBase world_;
@@ -231,6 +218,28 @@ private:
 } // namespace
 
 namespace {
+
+template <Numbers N> MediumExtent medium_extent(const World<N>& world, const Object& object) {
+    if (!object.is_compound)
+        return {object.bounds, world.is_ball(object), double(world.solids[object.index].reach)};
+    MediumExtent extent{object.bounds};
+    for (const CompoundNode& node : world.compounds[object.index].nodes)
+        if (node.operation == Operation::leaf)
+            extent.reach = maximum(extent.reach, double(world.solids[node.solid].reach));
+    return extent;
+}
+
+template <Numbers N> void gather_media(World<N>& world) {
+    std::vector<std::uint32_t> transmitting;
+    std::vector<MediumExtent> extents;
+    for (std::uint32_t id = 0; id < world.objects.size(); ++id) {
+        const Object& object = world.objects[id];
+        if (!object.has_volume || !world.material_of(object).transmits()) continue;
+        transmitting.push_back(id);
+        extents.push_back(medium_extent(world, object));
+    }
+    world.media = MediaNeighbours(std::move(transmitting), std::move(extents));
+}
 
 // Copies of the balls, where they are worth the memory.
 template <Numbers N> void gather_balls(World<N>& world) {
@@ -251,6 +260,7 @@ template <Numbers N> World<N> build(const Scene& scene) {
     World<N> world;
     static_cast<WorldBase&>(world) =
         Builder(scene, [&](const Placed& placed) { world.solids.push_back(solid_of<N>(placed)); }).build();
+    gather_media(world);
     gather_balls(world);
     return world;
 }

@@ -49,6 +49,8 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 /// this is 256 times as much, room for matrices that distort.
 template <Numbers N, Scalar T = ScalarOf<N>> class Nearness {
 public:
+    static constexpr T relative = limits::power_of_half<T>(limits::digits<T> / 2 - 8);
+
     Nearness(const World<N>& world, const Ray<T>& ray, const Crossing<T>& crossing)
         : solids_(world.solids),
           t_(crossing.t),
@@ -57,7 +59,6 @@ public:
 
     /// @param solid the one that is crossed at t
     [[nodiscard]] bool holds(T t, std::uint32_t solid) const {
-        constexpr T relative = limits::power_of_half<T>(limits::digits<T> / 2 - 8);
         return magnitude(t - t_) <= relative * (reach_ + solids_[solid].reach);
     }
 
