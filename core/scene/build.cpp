@@ -173,6 +173,13 @@ private:
         CompiledProgram compiled = compile(result.nodes, extents, boxes.back());
         result.program = std::move(compiled.program);
         result.extents = std::move(compiled.extents);
+        const auto is_entered_once = [&](const ExpandedNode& node) {
+            if (node.operation != Operation::leaf) return true;
+            const auto& shape = scene_.generics[node.generic].shape;
+            return !std::holds_alternative<Torus<double>>(shape) &&
+                   !std::holds_alternative<Mesh<double>>(shape);
+        };
+        if (std::ranges::all_of(tree, is_entered_once)) result.table = truth_table(result.program);
         for (const PartExtent& part : result.extents)
             result.size = maximum(result.size, largest_coordinate(part.box));
         world_.objects.push_back(
@@ -219,6 +226,18 @@ private:
 
 namespace {
 
+template <Numbers N> void mark_what_holds_objects(World<N>& world) {
+    for (const Compound& compound : world.compounds) {
+        std::size_t operand = 0;
+        for (const Instruction& step : compound.program) {
+            if (step.kind != Instruction::Kind::leaf) continue;
+            world.solids[step.operand].holds_object =
+                operand < compound.table.count && compound.table.lies_within(operand);
+            ++operand;
+        }
+    }
+}
+
 template <Numbers N> MediumExtent medium_extent(const World<N>& world, const Object& object) {
     if (!object.is_compound)
         return {object.bounds, world.is_ball(object), double(world.solids[object.index].reach)};
@@ -260,6 +279,7 @@ template <Numbers N> World<N> build(const Scene& scene) {
     World<N> world;
     static_cast<WorldBase&>(world) =
         Builder(scene, [&](const Placed& placed) { world.solids.push_back(solid_of<N>(placed)); }).build();
+    mark_what_holds_objects(world);
     gather_media(world);
     gather_balls(world);
     return world;

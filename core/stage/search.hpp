@@ -155,6 +155,7 @@ private:
             blocked_ = first_of_object(world_, object, ray_, range_, start, work_).has_value();
             return;
         }
+        if (start != nullptr && left_for_good(world_, ray_, *start, work_)) return;
         const auto list = crossings(world_, object, ray_, start, work_);
         if (const auto first = first_crossing(world_, ray_, list, range_, start)) {
             work_.blockers.push_back({first->t, object, first->surface});

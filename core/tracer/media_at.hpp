@@ -48,8 +48,8 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     // Farther from an extent than this no crossing of what is in it can coincide with the hit (see Nearness).
     const Vec3d direction = absolute(as<double>(ray.direction)), origin = absolute(as<double>(ray.origin));
     const double slack = double(Nearness<N>::relative) * (direction.x + direction.y + direction.z);
-    const double size = magnitude(double(hit.t)) + largest_component(origin) +
-                        double(world.solids[hit.surface.solid].reach);
+    const double size =
+        magnitude(double(hit.t)) + largest_component(origin) + double(world.solids[hit.surface.solid].reach);
     world.media.each_at(hit.object, as<double>(ray.at(hit.t)), slack, size, [&](std::uint32_t other) {
         bool inside = false, inside_before = false, met = false;
         for (const Crossing<T>& c : crossings(world, other, ray, leaving.of(other), work)) {

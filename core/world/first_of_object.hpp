@@ -24,16 +24,26 @@ first_from_mesh(const World<N>& world, std::uint32_t object, const Ray<T>& ray, 
     return Hit<T>{first->t, object, solid.crossing_of(*first, index).surface, first->entering, false};
 }
 
-/// Whether the ray, which starts on this solid and does not lead through the surface, surely never meets it again: a line
-/// meets a plane once, and who runs away from a ball's centre has left it.
+/// Whether the ray, which starts on an object and does not lead through its surface, surely never meets it again: a line
+/// meets a plane once, and who runs away from a ball's centre has left it, and with it all that lies within. It is then
+/// counted as tested.
 template <Numbers N, Scalar T = ScalarOf<N>>
-[[nodiscard]] bool left_for_good(const Solid<N>& solid, std::uint32_t index, const Ray<T>& ray,
-                                 const LeavingSurface<T>& leaving) {
-    if (leaving.face_of(index) == no_face || leaving.crosses) return false;
+[[nodiscard]] bool left_for_good(const World<N>& world, const Ray<T>& ray, const LeavingSurface<T>& leaving,
+                                 Work<T>& work) {
+    const Solid<N>& solid = world.solids[leaving.surface.solid];
+    if (leaving.crosses || !solid.holds_object) return false;
+    bool left = false;
     if (solid.is_ball)
-        return !leaving.starts_inside &&
-               dot(ray.origin - solid.transform.translation(), ray.direction) >= T(0);
-    return std::holds_alternative<Plane<N>>(solid.shape) || std::holds_alternative<Polygon<N>>(solid.shape);
+        left =
+            !leaving.starts_inside && dot(ray.origin - solid.transform.translation(), ray.direction) >= T(0);
+    else if (!world.objects[leaving.object].is_compound)
+        left =
+            std::holds_alternative<Plane<N>>(solid.shape) || std::holds_alternative<Polygon<N>>(solid.shape);
+    if (left) {
+        ++work.counters.objects;
+        ++work.counters.tests[solid.shape.index()];
+    }
+    return left;
 }
 
 /// The same where the ray starts on a plain solid that is no mesh: its few crossings need no list.
@@ -44,7 +54,6 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     const Solid<N>& solid = world.solids[index];
     ++work.counters.objects;
     ++work.counters.tests[solid.shape.index()];
-    if (left_for_good(solid, index, ray, leaving)) return std::nullopt;
     std::array<Crossing<T>, 4> ends;
     std::size_t count = 0;
     each_crossing(solid.intervals(ray, leaving.face_of(index)), index,
@@ -83,6 +92,7 @@ template <Numbers N, Scalar T = ScalarOf<N>>
         const auto first = world.solids[o.index].closest(ray, range, o.index);
         return first ? std::optional(hit(*first, false)) : std::nullopt;
     }
+    if (leaving != nullptr && left_for_good(world, ray, *leaving, work)) return std::nullopt;
     const bool is_from_mesh =
         leaving != nullptr && !o.is_compound && std::holds_alternative<Mesh<N>>(world.solids[o.index].shape);
     if (is_from_mesh && !leaving->crosses && !leaving->starts_inside)

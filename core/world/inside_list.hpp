@@ -122,6 +122,29 @@ template <Scalar T> void note_ends(Work<T>& work) {
         work.of_operands.push_back({first[i].t, first[i].surface.solid});
 }
 
+/// The inside list of a compound that has a truth table, appended to the open top list.
+/// @return false where the table can't tell: nothing is appended then
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[nodiscard]] bool append_by_table(const World<N>& world, const Compound& compound, const Ray<T>& ray,
+                                   const LeavingSurface<T>* leaving, Work<T>& work) {
+    OperandEnds<T> ends;
+    const auto interval = [&](std::uint32_t index) {
+        const Solid<N>& solid = world.solids[index];
+        ++work.counters.tests[solid.shape.index()];
+        const auto inside = solid.intervals(ray, leaving != nullptr ? leaving->face_of(index) : no_face);
+        return inside.count > 0 ? inside.items[0] : Interval<T>::nothing();
+    };
+    MissedParts<T> misses(compound, ray, leaving, work);
+    const bool may_hold = gather_ends(std::span<const Instruction>(compound.program),
+                                      std::span<const PartExtent>(compound.extents), interval, misses, ends);
+    if (ends.tied()) return false;
+    if (!may_hold) return true;
+    ends.sweep(compound.table, work.scratch);
+    if constexpr (!is_textbook<N>)
+        for (const auto& end : ends) work.of_operands.push_back({end.t, end.solid});
+    return true;
+}
+
 /// The object's crossings with the ray's whole line, ascending; valid until the scratch is used again.
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] std::span<const Crossing<T>> crossings(const World<N>& world, std::uint32_t object,
@@ -133,14 +156,18 @@ template <Numbers N, Scalar T = ScalarOf<N>>
         ++work.counters.compounds;
         work.of_operands.clear();
         const Compound& compound = world.compounds[o.index];
-        MissedParts<T> misses(compound, ray, leaving, work);
-        run(
-            std::span<const Instruction>(compound.program), work.scratch,
-            [&](std::uint32_t solid) {
-                append_crossings(world, solid, ray, leaving, work);
-                if constexpr (!is_textbook<N>) note_ends(work);
-            },
-            std::span<const PartExtent>(compound.extents), misses);
+        work.scratch.clear();
+        work.scratch.push();
+        if (compound.table.count == 0 || !append_by_table(world, compound, ray, leaving, work)) {
+            MissedParts<T> misses(compound, ray, leaving, work);
+            run(
+                std::span<const Instruction>(compound.program), work.scratch,
+                [&](std::uint32_t solid) {
+                    append_crossings(world, solid, ray, leaving, work);
+                    if constexpr (!is_textbook<N>) note_ends(work);
+                },
+                std::span<const PartExtent>(compound.extents), misses);
+        }
         settle(world, ray, work.scratch, unrecorded);
     } else {
         work.scratch.clear();

@@ -22,7 +22,7 @@ int widest_axis(std::span<const MediumExtent> extents) {
 bool may_share_a_point(const MediumExtent& a, const MediumExtent& b) {
     if (!a.box.overlaps(b.box)) return false;
     if (!a.is_ball || !b.is_ball) return true;
-    constexpr double rounding = 0x1p-16;
+    constexpr double rounding = 0x1p-10; // far above it
     const Vec3d size = a.box.high - a.box.low + (b.box.high - b.box.low); // of both diameters
     const Vec3d apart = a.box.low + a.box.high - (b.box.low + b.box.high);
     return length(apart) <= size.x + rounding * (a.reach + b.reach);
@@ -42,7 +42,8 @@ MediaNeighbours::MediaNeighbours(std::vector<std::uint32_t> transmitting, std::v
     std::vector<std::uint32_t> open; // boxes that the sweep is in; crowded ones need no more looking at
     for (const std::uint32_t next : order) {
         std::erase_if(open, [&](auto other) {
-            return found[other].size() >= crowd || extents_[other].box.high[axis] < extents_[next].box.low[axis];
+            return found[other].size() >= crowd ||
+                   extents_[other].box.high[axis] < extents_[next].box.low[axis];
         });
         for (const std::uint32_t other : open) {
             if (found[next].size() >= crowd) break;

@@ -40,7 +40,8 @@ public:
             const MediumExtent& extent = extents_[place];
             const double margin = slack * (size + extent.reach);
             for (int axis = 0; axis < 3; ++axis)
-                if (point[axis] < extent.box.low[axis] - margin || point[axis] > extent.box.high[axis] + margin)
+                if (point[axis] < extent.box.low[axis] - margin ||
+                    point[axis] > extent.box.high[axis] + margin)
                     return;
             consider(all_[place]);
         });

@@ -26,7 +26,8 @@ template <Numbers N> struct Solid {
     Transform<N> transform;
     std::uint32_t object = 0;   ///< index into World::objects
     std::uint32_t material = 0; ///< local light of its walls: index into World::materials
-    T reach = T(0);       ///< the largest coordinate of its bounds, or, where those are infinite, of a part
+    T reach = T(0); ///< the largest coordinate of its bounds, or, where those are infinite, of a part
+    bool holds_object = true; ///< nothing of its object lies outside of it
     bool is_ball = false; ///< a sphere in world space: its transform is a translation, its radius the world's
 
     /// The inside list on a world ray's whole line: the ray is moved, t is the same in both spaces.

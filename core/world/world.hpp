@@ -1,7 +1,7 @@
 #pragma once
 // What the tracer reads: flat arrays of values, names gone, indices instead of pointers.
 
-#include "core/csg/program.hpp"
+#include "core/csg/truth_table.hpp"
 #include "core/math/box.hpp"
 #include "core/refraction/dispersion.hpp"
 #include "core/trace/events.hpp"
@@ -51,6 +51,7 @@ struct Compound {
     std::vector<CompoundNode> nodes; ///< the author's tree in postfix order
     Program program;                 ///< the same, regrouped
     std::vector<PartExtent> extents; ///< around parts of it
+    TruthTable table;                ///< where it has few operands, and no ray enters one of them twice
     double size = 0;                 ///< the largest coordinate of the extents
 };
 

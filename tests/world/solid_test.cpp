@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 namespace rayscope::test {
 namespace {
 
@@ -122,60 +120,6 @@ TEST(RootShift, is_the_farthest_that_the_root_can_move) {
 
 TEST(Solid, unbounded_ends_have_no_error) {
     EXPECT_EQ(placed(Plane<double>{}, Mat4d{1}).error_bound({{0, 0, 1}, {0, 0, -1}}, infinity<double>, 0), 0);
-}
-
-std::set<std::uint32_t> near_to(const MediaNeighbours& media, std::uint32_t object) {
-    std::set<std::uint32_t> found;
-    media.each_near(object, [&](std::uint32_t other) { found.insert(other); });
-    return found;
-}
-
-TEST(Media, neighbours_are_the_boxes_that_overlap) {
-    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        Random random(seed);
-        std::vector<std::uint32_t> ids;
-        std::vector<Box<double>> boxes;
-        const int count = 1 + random.below(40);
-        for (int i = 0; i < count; ++i) {
-            ids.push_back(std::uint32_t(3 * i + random.below(3)));
-            const Vec3d low = random.in_cube(3);
-            boxes.push_back({low, low + Vec3d{1.5} + random.in_cube(1)});
-            if (random.below(15) == 0) boxes.back() = Box<double>::everything();
-            if (i > 0 && random.below(5) == 0)
-                boxes.back().low.x = boxes[std::size_t(random.below(i))].high.x;
-            boxes.back().high.x = std::max(boxes.back().low.x, boxes.back().high.x);
-        }
-        const MediaNeighbours media(ids, boxes);
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            std::set<std::uint32_t> expected;
-            for (std::size_t j = 0; j < ids.size(); ++j)
-                if (j != i && boxes[i].overlaps(boxes[j])) expected.insert(ids[j]);
-            ASSERT_EQ(near_to(media, ids[i]), expected) << "seed " << seed;
-        }
-        EXPECT_EQ(near_to(media, 100000).size(), ids.size()); // an opaque one may lie in any
-        EXPECT_EQ(media.all().size(), ids.size());
-    }
-}
-
-// A crowd in one place, and one apart: each of the crowd is near to all the others, however many they are.
-TEST(Media, a_crowd_loses_no_neighbour) {
-    std::vector<std::uint32_t> ids;
-    std::vector<Box<double>> boxes;
-    for (std::uint32_t i = 0; i < 300; ++i) {
-        ids.push_back(i);
-        const double at = i == 77 ? 100 : 0.001 * double(i * 7 % 300);
-        boxes.push_back({Vec3d{at}, Vec3d{at + 1}});
-    }
-    const MediaNeighbours media(ids, boxes);
-    for (const std::uint32_t id : ids) {
-        const auto found = near_to(media, id);
-        EXPECT_FALSE(found.contains(id));
-        for (const std::uint32_t other : ids) {
-            if (other != id && id != 77 && other != 77) {
-                EXPECT_TRUE(found.contains(other)) << id << ' ' << other;
-            }
-        }
-    }
 }
 
 TEST(Camera, the_middle_of_each_pixel_from_the_top_left) {
