@@ -167,12 +167,12 @@ void LightExtents<N>::cover(Window& window, const Object& object, const CellList
         const double x = view.left + column * view.width / view.cells,
                      y = view.top + row * view.height / view.cells;
         if (view.parallel) return std::hypot(x - centre.x, y - centre.y) < surely;
-        const Vec3d direction = normalized(Vec3d{x, y, 1});
-        return dot(direction, centre) > 0 && length(cross(direction, centre)) < surely;
+        const Vec3d direction{x, y, 1}, aside = cross(direction, centre);
+        return dot(direction, centre) > 0 && dot(aside, aside) < surely * surely * dot(direction, direction);
     };
     const float beyond = above(from_light + radius + margin_);
-    for (int y = item.top; y <= item.bottom; ++y)
-        for (int x = item.left; x <= item.right; ++x) {
+    for (int y = item.top + 1; y < item.bottom; ++y)
+        for (int x = item.left + 1; x < item.right; ++x) {
             const double left = x - cell_rounding, right = x + 1 + cell_rounding, top = y - cell_rounding,
                          bottom = y + 1 + cell_rounding;
             if (!hides(left, top) || !hides(right, top) || !hides(left, bottom) || !hides(right, bottom))

@@ -25,7 +25,29 @@ template <Numbers N, Scalar T = ScalarOf<N>> Vec3<T> normal_of(const std::vector
 
 template <Numbers N>
 Polygon<N>::Polygon(std::vector<Vec3<T>> vertices, std::vector<Vec3<T>> normals)
-    : vertices_(std::move(vertices)), normals_(std::move(normals)), normal_(normal_of<N>(vertices_)) {}
+    : vertices_(std::move(vertices)), normals_(std::move(normals)), normal_(normal_of<N>(vertices_)) {
+    if constexpr (!is_textbook<N>) discs_ = discs();
+}
+
+template <Numbers N> auto Polygon<N>::discs() const -> Discs {
+    Discs discs;
+    for (const Vec3<T>& vertex : vertices_) {
+        discs.middle += vertex / T(vertices_.size());
+        discs.size = maximum(discs.size, largest_component(absolute(vertex)));
+    }
+    discs.around = T(0);
+    discs.within = encloses_in_projection(discs.middle) ? infinity<T> : T(0);
+    const Vec3<T>* a = &vertices_.back();
+    for (const Vec3<T>& b : vertices_) {
+        // No edge's line comes nearer than this.
+        const Vec3<T> edge = b - *a;
+        const T distance = magnitude(dot(normal_, cross(edge, discs.middle - *a))) / length(edge);
+        discs.within = distance < discs.within ? distance : discs.within;
+        discs.around = maximum(discs.around, length(b - discs.middle));
+        a = &b;
+    }
+    return discs;
+}
 
 template <Numbers N> auto Polygon<N>::intervals(const Ray<T>& ray, int leaving) const -> Intervals<T> {
     Intervals<T> found;
@@ -58,9 +80,26 @@ template <Numbers N> bool Polygon<N>::encloses_in_projection(const Vec3<T>& p) c
     return inside;
 }
 
+// The point on the plane is off by the rounding of its coordinates, and along the ray by that of t, which grows as the ray
+// comes to lie in the plane. Where both are a small part of the inner disc, only what is near its edge need be asked more.
+template <Numbers N> auto Polygon<N>::encloses_clearly(const Ray<T>& ray, T t) const -> std::optional<bool> {
+    constexpr T part = limits::power_of_half<T>(8);
+    const T step = largest_component(absolute(ray.direction));
+    const T far = largest_component(absolute(ray.origin)) + magnitude(t) * step + discs_.size;
+    if (!(T(64) * epsilon<T> * far * step < part * discs_.within * magnitude(dot(normal_, ray.direction))))
+        return std::nullopt;
+    const Vec3<T> off = ray.at(t) - discs_.middle;
+    const T squared = dot(off, off), within = (T(1) - T(2) * part) * discs_.within,
+            around = discs_.around + T(2) * part * discs_.within;
+    if (squared < within * within) return true;
+    if (squared > around * around) return false;
+    return std::nullopt;
+}
+
 // An even-odd count of the edges to one side of the ray.
-template <Numbers N> bool Polygon<N>::encloses(const Ray<T>& ray, [[maybe_unused]] T t) const {
+template <Numbers N> bool Polygon<N>::encloses(const Ray<T>& ray, T t) const {
     if constexpr (is_textbook<N>) return encloses_in_projection(ray.at(t));
+    if (const auto clearly = encloses_clearly(ray, t)) return *clearly;
     const OutlineView<T> view(ray);
     bool inside = false;
     auto a = view.corner(vertices_.back());

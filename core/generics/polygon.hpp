@@ -50,12 +50,22 @@ private:
         const T slope = dot(normal_, ray.direction);
         return slope == T(0) ? infinity<T> : dot(normal_, vertices_.front() - ray.origin) / slope;
     }
+    /// Two discs about one point of the plane: the one lies within the outline, the other holds it.
+    struct Discs {
+        Vec3<T> middle{T(0)};
+        T within = T(0), around = infinity<T>; ///< radii
+        T size = T(0);                         ///< largest coordinate of the outline
+    };
+    [[nodiscard]] Discs discs() const;
+    /// Whether the line meets the plane, at this t, within the outline, where the discs can tell.
+    [[nodiscard]] std::optional<bool> encloses_clearly(const Ray<T>& ray, T t) const;
     /// Whether the line meets the plane, at this t, within the outline.
     [[nodiscard]] bool encloses(const Ray<T>& ray, T t) const;
     [[nodiscard]] bool encloses_in_projection(const Vec3<T>& p) const;
 
     std::vector<Vec3<T>> vertices_, normals_;
     Vec3<T> normal_{T(0), T(0), T(1)};
+    Discs discs_;
 };
 
 /// Twice the area vector of a polygon (Newell): its direction is the normal, zero for a degenerate outline.

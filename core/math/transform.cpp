@@ -15,12 +15,16 @@ template <Scalar T> Rows<T> linear_part(const Mat4d& matrix) {
     return rows;
 }
 
-template <Scalar T> Rows<T> cofactors(const Rows<T>& m) {
+// @tparam of_doubles the numbers are doubles in a wider type: there a product of two is exact
+template <bool of_doubles = false, Scalar T> Rows<T> cofactors(const Rows<T>& m) {
     Rows<T> c{};
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
             const std::size_t p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
-            c[i][j] = difference_of_products(m[p][r], m[q][s], m[p][s], m[q][r]);
+            if constexpr (of_doubles && std::is_same_v<T, Float128>)
+                c[i][j] = m[p][r] * m[q][s] - m[p][s] * m[q][r];
+            else
+                c[i][j] = difference_of_products(m[p][r], m[q][s], m[p][s], m[q][r]);
         }
     return c;
 }
@@ -47,7 +51,7 @@ bool is_clearly_invertible(const Mat4d& matrix) {
 
 template <Numbers N> Transform<N>::Transform(const Mat4d& matrix) {
     const auto m = linear_part<Working<N>>(matrix);
-    const auto c = cofactors(m);
+    const auto c = cofactors<true>(m);
     const auto det = determinant(m, c);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) inverse_[i][j] = T(c[std::size_t(j)][std::size_t(i)] / det);
@@ -83,7 +87,7 @@ bool is_invertible(const Mat4d& matrix) {
             if (!is_finite(matrix[j][i])) return false;
     if (is_clearly_invertible(matrix)) return true;
     const auto m = linear_part<Float128>(matrix);
-    const auto c = cofactors(m);
+    const auto c = cofactors<true>(m);
     const Float128 det = determinant(m, c);
     if (det == 0) return false;
     for (const auto& row : c)

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace rayscope::test {
 namespace {
 
@@ -55,6 +57,58 @@ TEST(Polygon, its_normal_follows_the_order_of_its_corners) {
     EXPECT_EQ((Polygon<double>({{0, 0, 2}, {0, 1, 2}, {1, 0, 2}}).normal({}, 0)), (Vec3d{0, 0, -1}));
     EXPECT_EQ(area_vector<double>({{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}}), (Vec3d{0, 0, 12}));
     EXPECT_EQ(area_vector<double>({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), Vec3d{0});
+}
+
+// By the even-odd rule the middle of a pentagram lies outside: its edges run around it twice.
+TEST(Polygon, a_pentagram_is_open_in_its_middle) {
+    std::vector<Vec3d> corners;
+    for (int i = 0; i < 5; ++i) {
+        const double angle = 2 * 2 * std::numbers::pi * i / 5;
+        corners.push_back({std::cos(angle), std::sin(angle), 0});
+    }
+    const Polygon<double> star(corners);
+    EXPECT_EQ(star.intervals({{0, 0, 1}, {0, 0, -1}}).count, 0);
+    EXPECT_EQ(star.intervals({{0.3, 0.05, 1}, {0, 0, -1}}).count, 0);
+    EXPECT_EQ(star.intervals({{0.8, 0, 1}, {0, 0, -1}}).count, 1);
+}
+
+// Whatever is decided without asking the edges is what they say: counted here by the turns of the outline.
+TEST(Polygon, a_random_outline_is_hit_where_its_edges_say) {
+    int hits = 0, misses = 0;
+    for (std::uint64_t seed = 1; seed <= std::uint64_t(samples(20000)); ++seed) {
+        Random random(seed);
+        const Mat4d m =
+            translation(random.in_cube(5)) * random_rotation(random) * scaling(random.decade(-3, 3));
+        std::vector<Vec3d> flat, corners;
+        const int count = 3 + random.below(6);
+        const bool regular = random.coin(); // else it crosses itself
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2 * std::numbers::pi * i / count;
+            flat.push_back(regular ? Vec3d{std::cos(angle), std::sin(angle), 0}
+                                   : Vec3d{random.uniform(-1, 1), random.uniform(-1, 1), 0});
+            corners.push_back(Vec3d(m * glm::dvec4(flat.back(), 1)));
+        }
+        if (length(area_vector(flat)) < 0.1) continue;
+        const Vec3d p{random.uniform(-1.2, 1.2), random.uniform(-1.2, 1.2), 0};
+        bool inside = false;
+        double nearest = 1;
+        for (std::size_t i = 0; i < flat.size(); ++i) {
+            const Vec3d a = flat[i] - p, b = flat[(i + 1) % flat.size()] - p;
+            const double side = a.x * b.y - a.y * b.x;
+            nearest = std::min({nearest, std::abs(side), std::abs(a.y)});
+            if ((a.y > 0) != (b.y > 0) && (side > 0) == (b.y > 0)) inside = !inside;
+        }
+        if (nearest < 1e-6) continue;
+        const Vec3d target(m * glm::dvec4(p, 1)), origin = target + random.decade(-2, 4) * random.direction();
+        const Ray<double> ray{origin, target - origin};
+        const double slope = std::abs(dot(normalized(ray.direction), Vec3d(m * glm::dvec4(0, 0, 1, 0)))) /
+                             length(Vec3d(m * glm::dvec4(0, 0, 1, 0)));
+        if (slope < 1e-3) continue;
+        (inside ? hits : misses) += 1;
+        ASSERT_EQ(Polygon<double>(corners).intervals(ray).count == 1, inside) << "seed " << seed << hex(ray);
+    }
+    EXPECT_GT(hits, samples(2000));
+    EXPECT_GT(misses, samples(2000));
 }
 
 // Against the signs of three areas, in directions along which each axis is the largest.
