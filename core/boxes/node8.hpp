@@ -15,6 +15,9 @@ struct alignas(32) Node8 {
     static constexpr std::uint32_t leaf = 1U
                                           << 31; ///< set in `child` where it is a leaf's number, not a node's
 
+    /// Children that a walk leaves for later, at most: seven a level, of a tree as deep as BoxTreeBuilder makes it.
+    static constexpr std::size_t most_ahead = std::size_t(7) * 64 + 8;
+
     std::array<std::array<float, 8>, 3> low, high; ///< an empty place is a box that no ray meets
     std::array<std::uint32_t, 8> child;
 

@@ -21,8 +21,7 @@ void walk8(std::span<const Node8> nodes, const Ray8& ray, const Reach& reach, st
         std::uint32_t child;
         float enter;
     };
-    constexpr std::size_t deepest = 64;
-    std::array<Ahead, 7 * deepest + 8> stack;
+    std::array<Ahead, Node8::most_ahead> stack;
     std::size_t top = 0;
     Ahead place{0, 0};
     float limit = reach();

@@ -70,7 +70,9 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] Id medium_at_start(const World<N>& world, const Ray<T>& ray, Work<T>& work) {
     Containing here;
-    for (const std::uint32_t object : world.media.all()) {
+    const Vec3d start = as<double>(ray.origin);
+    const double slack = double(Nearness<N>::relative), size = largest_component(absolute(start));
+    world.media.each_holding(start, slack, size, [&](std::uint32_t object) {
         bool inside = false;
         for (const Crossing<T>& c :
              crossings(world, object, ray, static_cast<const LeavingSurface<T>*>(nullptr), work)) {
@@ -78,7 +80,7 @@ template <Numbers N, Scalar T = ScalarOf<N>>
             inside = c.entering;
         }
         if (inside) here.offer(world.objects[object].priority, Id(object));
-    }
+    });
     return here.medium();
 }
 

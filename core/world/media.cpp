@@ -6,9 +6,6 @@
 namespace rayscope {
 namespace {
 
-// More overlaps than this are not stored: n objects in one place would need n² entries.
-constexpr std::size_t crowd = 64;
-
 // Along the axis on which the boxes spread the most, fewest overlap in that axis alone.
 int widest_axis(std::span<const MediumExtent> extents) {
     Box<double> all;
@@ -22,7 +19,7 @@ int widest_axis(std::span<const MediumExtent> extents) {
 bool may_share_a_point(const MediumExtent& a, const MediumExtent& b) {
     if (!a.box.overlaps(b.box)) return false;
     if (!a.is_ball || !b.is_ball) return true;
-    constexpr double rounding = 0x1p-10; // far above it
+    constexpr double rounding = 0x1p-10;                                  // far above it
     const Vec3d size = a.box.high - a.box.low + (b.box.high - b.box.low); // of both diameters
     const Vec3d apart = a.box.low + a.box.high - (b.box.low + b.box.high);
     return length(apart) <= size.x + rounding * (a.reach + b.reach);
@@ -33,6 +30,12 @@ bool may_share_a_point(const MediumExtent& a, const MediumExtent& b) {
 MediaNeighbours::MediaNeighbours(std::vector<std::uint32_t> transmitting, std::vector<MediumExtent> extents)
     : all_(std::move(transmitting)), extents_(std::move(extents)), every_place_(all_.size()) {
     std::iota(every_place_.begin(), every_place_.end(), 0U);
+    std::vector<Box<double>> boxes;
+    for (const MediumExtent& extent : extents_) {
+        boxes.push_back(extent.box);
+        farthest_ = maximum(farthest_, extent.reach);
+    }
+    tree_ = PointTree(boxes);
     const int axis = widest_axis(extents_);
     std::vector<std::uint32_t> order = every_place_;
     std::sort(order.begin(), order.end(),

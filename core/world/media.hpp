@@ -1,7 +1,7 @@
 #pragma once
 // Which transmitting objects can share a point: where a ray crosses one, only these can be the medium.
 
-#include "core/math/box.hpp"
+#include "core/boxes/point_tree.hpp"
 
 #include <cstdint>
 #include <span>
@@ -36,18 +36,33 @@ public:
     template <typename Consider>
     void each_at(std::uint32_t object, const Vec3d& point, double slack, double size,
                  const Consider& consider) const {
-        each_place_near(object, [&](std::uint32_t place) {
-            const MediumExtent& extent = extents_[place];
-            const double margin = slack * (size + extent.reach);
-            for (int axis = 0; axis < 3; ++axis)
-                if (point[axis] < extent.box.low[axis] - margin ||
-                    point[axis] > extent.box.high[axis] + margin)
-                    return;
-            consider(all_[place]);
-        });
+        const auto near = [&](std::uint32_t place) {
+            if (all_[place] != object && is_near(extents_[place], point, slack, size)) consider(all_[place]);
+        };
+        const auto stored = own(object);
+        if (stored.size() <= crowd && crowded_.empty())
+            for (const std::uint32_t place : stored) near(place);
+        else
+            tree_.each_at(point, slack * (size + farthest_), near);
+    }
+    /// Calls consider(object) for each that a point may lie in, or so near to.
+    template <typename Consider>
+    void each_holding(const Vec3d& point, double slack, double size, const Consider& consider) const {
+        tree_.each_at(point, slack * (size + farthest_), [&](std::uint32_t place) { consider(all_[place]); });
     }
 
 private:
+    // More overlaps than this are not stored: n objects in one place would need n² entries.
+    static constexpr std::size_t crowd = 64;
+
+    [[nodiscard]] static bool is_near(const MediumExtent& extent, const Vec3d& point, double slack,
+                                      double size) {
+        const double margin = slack * (size + extent.reach);
+        for (int axis = 0; axis < 3; ++axis)
+            if (point[axis] < extent.box.low[axis] - margin || point[axis] > extent.box.high[axis] + margin)
+                return false;
+        return true;
+    }
     // Places in all_ from here on.
     template <typename Consider> void each_place_near(std::uint32_t object, const Consider& consider) const {
         for (const auto list : {own(object), std::span<const std::uint32_t>(crowded_)})
@@ -63,6 +78,8 @@ private:
     std::vector<std::uint32_t> starts_;      // per entry of all_, into neighbours_
     std::vector<std::uint32_t> neighbours_;
     std::vector<std::uint32_t> crowded_; // objects that meet very many: near to everything, ascending
+    PointTree tree_;                     // of their extents
+    double farthest_ = 0;                // the largest reach
 };
 
 } // namespace rayscope

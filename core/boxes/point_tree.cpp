@@ -1,0 +1,42 @@
+#include "core/boxes/point_tree.hpp"
+
+#include <experimental/simd>
+
+namespace rayscope {
+
+PointTree::PointTree(std::span<const Box<double>> boxes) {
+    double size = 0;
+    for (const auto& box : boxes)
+        if (box.bounded()) size = maximum(size, largest_coordinate(box));
+    scale_ = tree_scale(size);
+    std::vector<BoxedItem> items;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].bounded())
+            items.push_back({scaled_outward(boxes[i], scale_), i});
+        else
+            unbounded_.push_back(i);
+    }
+    nodes_ =
+        BoxTreeBuilder(std::move(items), {1}, [](auto leaf) { return leaf.front().index; }).build().nodes;
+}
+
+Box<float> PointTree::around_point(const Vec3d& point, double margin) const {
+    const Vec3d scaled = scale_ * point;
+    const double reach = scale_ * margin + double(epsilon<float>) * largest_component(absolute(scaled));
+    return {as<float>(scaled - Vec3d{reach}), as<float>(scaled + Vec3d{reach})};
+}
+
+unsigned PointTree::met(const Node8& node, const Box<float>& box) {
+    using Floats = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 8>>;
+    const auto meets = [&](int axis) {
+        const auto at = std::size_t(axis);
+        return (Floats(node.low[at].data(), std::experimental::vector_aligned) <= box.high[axis]) &
+               (Floats(node.high[at].data(), std::experimental::vector_aligned) >= box.low[axis]);
+    };
+    const auto all = meets(0) & meets(1) & meets(2);
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < 8; ++i) bits |= unsigned(all[i]) << i;
+    return bits;
+}
+
+} // namespace rayscope
