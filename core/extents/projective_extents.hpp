@@ -50,8 +50,6 @@ template <Numbers N>
 /// whose rectangle meets it, nearest first, and a ray ends where the next one begins beyond its hit.
 template <Numbers N> class ProjectiveExtents {
 public:
-    static constexpr int tile = 8; ///< pixels along an edge
-
     /// @param view of the world, on a screen of this size
     ProjectiveExtents(const World<N>& world, const ScreenView& view, int width, int height);
 
@@ -62,17 +60,20 @@ public:
     template <typename Search> [[gnu::noinline]] void look(const RayUse& use, Search& search) const;
 
     [[nodiscard]] std::size_t bytes() const { return lists_.bytes() + balls_.bytes(); }
-    /// Edge of the tiles that share a list: larger where many objects crowd the screen.
-    [[nodiscard]] int tile_pixels() const { return tile << lists_.coarser(); }
+    /// Edge of the tiles that share a list: smaller where many objects share the screen, larger where many cover it.
+    [[nodiscard]] int tile_pixels() const { return 1 << (tile_bits_ + lists_.coarser()); }
     /// What is tested by the eye ray through a pixel, nearest first.
     [[nodiscard]] std::span<const CellLists::Entry> list_at(int x, int y) const {
-        return lists_.at(x / tile, y / tile);
+        return lists_.at(x >> tile_bits_, y >> tile_bits_);
     }
 
 private:
     [[nodiscard]] PlaceEntered tile_entered(const RayUse& use, int held) const;
 
+    static constexpr double least_share = 0.125; // of the objects: as many tiles at least, measured
+
     int width_, height_;
+    int tile_bits_ = 3; // binary logarithm of an edge
     CellLists lists_;
     BallFilter<N> balls_;
     Unboxed<N> apart_;
@@ -81,17 +82,20 @@ private:
 template <Numbers N>
 ProjectiveExtents<N>::ProjectiveExtents(const World<N>& world, const ScreenView& view, int width, int height)
     : width_(width), height_(height), balls_(world), apart_(world, view.apart) {
+    const auto tiles_along = [&](int size) { return ((size - 1) >> tile_bits_) + 1; };
+    const double least = least_share * double(view.rectangles.size());
+    while (tile_bits_ > 0 && double(tiles_along(width)) * tiles_along(height) < least) --tile_bits_;
     // To a tile, which is one of the screen's own; a rectangle may reach beyond, and rounding by a part of a pixel.
     constexpr double rounding = 0x1p-10;
-    const auto tile_of = [](double pixel, int size) {
-        return int(minimum(maximum(pixel, 0.0), double(size) - 0.5)) / tile;
+    const auto tile_of = [&](double pixel, int size) {
+        return int(minimum(maximum(pixel, 0.0), double(size) - 0.5)) >> tile_bits_;
     };
     std::vector<CellLists::Item> items;
     for (const ScreenRectangle& r : view.rectangles)
         items.push_back({tile_of(r.left - rounding, width), tile_of(r.top - rounding, height),
                          tile_of(r.right + rounding, width), tile_of(r.bottom + rounding, height),
                          below(r.nearest), r.object});
-    lists_ = CellLists((width - 1) / tile + 1, (height - 1) / tile + 1, std::move(items));
+    lists_ = CellLists(tiles_along(width), tiles_along(height), std::move(items));
 }
 
 template <Numbers N>
