@@ -33,10 +33,20 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
     return found;
 }
 
+Workbench open_as_it_is(const fs::path& path) { return open(path); }
+/// With no interpolated normals: where one turns away from the eye POV-Ray turns it back, which darkens the rims of a coarse
+/// shape, and we take the face's own. The export says so.
+Workbench open_flat(const fs::path& path) {
+    Scene scene = open(path).scene;
+    for (SceneGeneric& generic : scene.generics)
+        if (const auto* polygon = std::get_if<Polygon<double>>(&generic.shape))
+            generic.shape = Polygon<double>(polygon->vertices());
+    return make_workbench(scene);
+}
+
 /// Small enough to be quick, large enough that an edge's pixels do not count for much.
 /// @param longest side of the images, in pixels
-double similarity(const fs::path& path, int longest) {
-    const Workbench bench = open(path);
+double similarity(const Workbench& bench, int longest) {
     const Camera& camera = bench.scene.camera;
     const int shrink = std::max(1, (std::max(camera.width, camera.height) + longest - 1) / longest);
     RenderOptions options;
@@ -50,11 +60,14 @@ double similarity(const fs::path& path, int longest) {
 }
 
 // All at once, since POV-Ray mostly sleeps while it starts.
-void expect_agreement(const std::vector<fs::path>& scenes, double least, int longest = 400) {
+template <typename Open>
+void expect_agreement(const std::vector<fs::path>& scenes, const Open& open_scene, double least,
+                      int longest = 400) {
     std::vector<std::future<double>> found;
     found.reserve(scenes.size());
     for (const fs::path& scene : scenes)
-        found.push_back(std::async(std::launch::async, similarity, scene, longest));
+        found.push_back(
+            std::async(std::launch::async, [&] { return similarity(open_scene(scene), longest); }));
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         const double ssim = found[i].get();
         std::cout << "    " << scenes[i].stem().string() << ": SSIM " << ssim << '\n';
@@ -67,12 +80,12 @@ TEST(PovrayAgreement, of_shipped_scenes) {
     auto scenes = scenes_in(RAYSCOPE_SOURCE_DIR "/chapters");
     ASSERT_GT(scenes.size(), 10U);
     std::erase_if(scenes, [](const fs::path& scene) { return not_compared.contains(scene.stem().string()); });
-    expect_agreement(scenes, 0.98);
+    expect_agreement(scenes, open_as_it_is, 0.98);
 }
 
 TEST(PovrayAgreement, of_everything_that_a_scene_can_say) {
     if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
-    expect_agreement(scenes_in(RAYSCOPE_SOURCE_DIR "/tests/povray/scenes"), 0.999);
+    expect_agreement(scenes_in(RAYSCOPE_SOURCE_DIR "/tests/povray/scenes"), open_as_it_is, 0.999);
 }
 
 // The Standard Procedural Databases, where they are at hand.
@@ -80,7 +93,7 @@ TEST(PovrayAgreement, of_nff_scenes) {
     const char* folder = std::getenv("RAYSCOPE_SPD");
     if (folder == nullptr) GTEST_SKIP() << "RAYSCOPE_SPD names no folder";
     if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
-    expect_agreement(scenes_in(folder), 0.98, 512);
+    expect_agreement(scenes_in(folder), open_flat, 0.98, 512);
 }
 
 } // namespace
