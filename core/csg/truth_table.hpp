@@ -36,7 +36,7 @@ public:
         insert({inside.enter, solid, std::int32_t(inside.enter_face), std::uint8_t(operand), true});
         insert({inside.exit, solid, std::int32_t(inside.exit_face), std::uint8_t(operand), false});
     }
-    /// Two ends have the same t: whose face it is then depends on the tree, which no table knows.
+    /// Two ends have the same finite t: whose face it is then depends on the tree, which no table knows.
     [[nodiscard]] bool tied() const { return tied_; }
     [[nodiscard]] const End* begin() const { return ends_.data(); }
     [[nodiscard]] const End* end() const { return ends_.data() + count_; }
@@ -45,9 +45,11 @@ public:
     void sweep(const TruthTable& table, SpanStack<T>& list) const {
         unsigned state = 0;
         bool inside = false;
-        for (const End& end : *this) {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const End& end = ends_[i];
             state ^= 1U << end.operand;
-            if (table.holds(state) == inside) continue;
+            const bool more_at_infinity = i + 1 < count_ && ends_[i + 1].t == end.t;
+            if (more_at_infinity || table.holds(state) == inside) continue;
             inside = !inside;
             list.append({end.t, {end.solid, end.face, ((table.flipped >> end.operand) & 1U) != 0}, inside});
         }
@@ -57,7 +59,7 @@ private:
     void insert(const End& end) {
         std::size_t at = count_++;
         for (; at > 0 && !(ends_[at - 1].t < end.t); --at) {
-            tied_ = tied_ || ends_[at - 1].t == end.t;
+            tied_ = tied_ || (ends_[at - 1].t == end.t && is_finite(end.t));
             ends_[at] = ends_[at - 1];
         }
         ends_[at] = end;

@@ -25,20 +25,23 @@ first_from_mesh(const World<N>& world, std::uint32_t object, const Ray<T>& ray, 
 }
 
 /// Whether the ray, which starts on an object and does not lead through its surface, surely never meets it again: a line
-/// meets a plane once, and who runs away from a ball's centre has left it, and with it all that lies within. It is then
-/// counted as tested.
+/// meets a plane once, and who runs away from a ball's centre has left it, and with it all that lies within; so has who
+/// leaves the half space below a plane. It is then counted as tested.
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] bool left_for_good(const World<N>& world, const Ray<T>& ray, const LeavingSurface<T>& leaving,
                                  Work<T>& work) {
     const Solid<N>& solid = world.solids[leaving.surface.solid];
     if (leaving.crosses || !solid.holds_object) return false;
+    const bool is_all = !world.objects[leaving.object].is_compound;
     bool left = false;
     if (solid.is_ball)
         left =
             !leaving.starts_inside && dot(ray.origin - solid.transform.translation(), ray.direction) >= T(0);
-    else if (!world.objects[leaving.object].is_compound)
+    else if (std::holds_alternative<Plane<N>>(solid.shape))
         left =
-            std::holds_alternative<Plane<N>>(solid.shape) || std::holds_alternative<Polygon<N>>(solid.shape);
+            is_all || (!leaving.starts_inside && solid.transform.vector_to_object(ray.direction).z >= T(0));
+    else
+        left = is_all && std::holds_alternative<Polygon<N>>(solid.shape);
     if (left) {
         ++work.counters.objects;
         ++work.counters.tests[solid.shape.index()];
