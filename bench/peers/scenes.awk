@@ -1,8 +1,11 @@
-# Scenes that any number of objects can be asked of: awk -v kind=flake|bowls|lenses|rings -v n=N -f scenes.awk
+# Scenes that any number of objects can be asked of: awk -v kind=flake|glass|bowls|lenses|rings|mountain -v n=N -f scenes.awk
 # flake: Haines' sphereflake of depth n, 1 + 9 + … spheres (balls of the Standard Procedural Databases), as NFF.
+# glass: the same, its balls of glass that mirrors as well.
 # bowls: n × n bowls (outer − inner) − cone on a floor, as TOML.
 # lenses: n lenses, each what two spheres share, in rows of four on a floor, as TOML.
 # rings: a pyramid of n steps of rings, each 30 spheres joined by 30 cylinders: 4,200 of both for n=7, as NFF.
+# mountain: four balls of glass that touch each other above n × n squares, n a power of two, each cut into two triangles:
+# 8,192 for n=64, as NFF.
 
 # Nine children around each ball: six on its equator, three above; `d` is its axis, `e` and `f` complete a frame.
 function ball(level, x, y, z, r, dx, dy, dz,    l, ex, ey, ez, fx, fy, fz, i, a, s, c, h, cx, cy, cz, q) {
@@ -21,10 +24,10 @@ function ball(level, x, y, z, r, dx, dy, dz,    l, ex, ey, ez, fx, fy, fz, i, a,
     }
 }
 
-function flake() {
+function flake(material) {
     print "b 0.078 0.361 0.753\nv\nfrom 2.1 1.3 1.7\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.01\nresolution 512 512"
     print "l 4 3 2\nl 1 -4 4\nl -3 1 5\nf 1 0.75 0.33 0.8 0 100000 0 1"
-    print "p 4\n12 12 -0.5\n-12 12 -0.5\n-12 -12 -0.5\n12 -12 -0.5\nf 1 0.9 0.7 0.5 0.5 3.0827 0 1"
+    print "p 4\n12 12 -0.5\n-12 12 -0.5\n-12 -12 -0.5\n12 -12 -0.5\nf 1 0.9 0.7 " material
     ball(n, 0, 0, 0, 0.5, 0, 0, 1)
 }
 
@@ -75,9 +78,41 @@ function rings(    level, i, j, k, a, b, x, y, z) {
             }
 }
 
+# −1 … 1, the same everywhere (Park and Miller 1988).
+function random() { seed = seed * 16807 % 2147483647; return seed / 1073741823.5 - 1 }
+
+# Heights by halving the distance between known ones again and again, each time with half as much chance.
+function mountain(    h, step, half, rough, x, y, i, s) {
+    print "b 0.3 0.5 0.8\nv\nfrom 2 -1.7 1.9\nat 0.1 0 0.1\nup 0 0 1\nangle 45\nhither 0.01\nresolution 512 512"
+    print "l 20 -60 80\nf 1 1 1 0.1 0.1 100 0.9 1.5"
+    for (i = 0; i < 4; ++i) {
+        s = i % 2 ? 1 : -1
+        printf "s %.9g %.9g %.9g 0.17\n", 0.95 + (i < 2 ? s : -s) * 0.17 / sqrt(2), -0.8 + (i < 2 ? 1 : -1) * 0.17 / sqrt(2), 1 + s * 0.17 / sqrt(2)
+    }
+    print "f 0.5 0.45 0.35 1 0 100000 0 1"
+    seed = 1
+    for (step = n; step > 1; step = half) {
+        half = step / 2; rough = 0.5 * step / n
+        for (y = half; y < n; y += step)
+            for (x = half; x < n; x += step)
+                h[x, y] = (h[x - half, y - half] + h[x + half, y - half] + h[x - half, y + half] + h[x + half, y + half]) / 4 + rough * random()
+        for (y = half; y < n; y += half)
+            for (x = y % step ? step : half; x < n; x += step)
+                h[x, y] = (h[x - half, y] + h[x + half, y] + h[x, y - half] + h[x, y + half]) / 4 + rough / 2 * random()
+    }
+    for (y = 0; y < n; ++y)
+        for (x = 0; x < n; ++x) {
+            printf "p 3\n%s\n%s\n%s\n", corner(h, x, y), corner(h, x + 1, y), corner(h, x + 1, y + 1)
+            printf "p 3\n%s\n%s\n%s\n", corner(h, x, y), corner(h, x + 1, y + 1), corner(h, x, y + 1)
+        }
+}
+function corner(h, x, y) { return sprintf("%.9g %.9g %.9g", 2 * x / n - 1, 2 * y / n - 1, h[x, y]) }
+
 BEGIN {
     pi = atan2(0, -1)
-    if (kind == "flake") flake()
+    if (kind == "flake") flake("0.5 0.5 3.0827 0 1")
+    else if (kind == "glass") flake("0.1 0.3 3.0827 0.7 1.5")
+    else if (kind == "mountain") mountain()
     else if (kind == "lenses") lenses()
     else if (kind == "rings") rings()
     else bowls()
