@@ -46,8 +46,7 @@ World<double> make_world() {
     bowl.program = compile(bowl.nodes);
     world.compounds.push_back(bowl);
     world.objects.push_back({true, 0, 1, 0, true, Box<double>::everything()});
-    world.media =
-        MediaNeighbours({std::uint32_t(world.objects.size() - 1)}, {{Box<double>::everything()}});
+    world.media = MediaNeighbours({std::uint32_t(world.objects.size() - 1)}, {{Box<double>::everything()}});
     return world;
 }
 
