@@ -46,6 +46,7 @@ template <Numbers N> auto Polygon<N>::discs() const -> Discs {
         discs.around = maximum(discs.around, length(b - discs.middle));
         a = &b;
     }
+    if (!is_safe_square(discs.within * discs.within)) discs.within = T(0); // then they tell nothing
     return discs;
 }
 

@@ -59,6 +59,24 @@ TEST(Polygon, its_normal_follows_the_order_of_its_corners) {
     EXPECT_EQ(area_vector<double>({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), Vec3d{0});
 }
 
+// Squares of such lengths are no numbers any more.
+TEST(Polygon, is_hit_at_any_size) {
+    for (const double size : {1e-165, 1e-155, 1e-100, 1e100, 1e153, 1e158}) {
+        const Polygon<double> square({{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}});
+        const auto hits = [&](double x, double y) {
+            return square.intervals({{x * size, y * size, size}, {0, 0, -1}}).count == 1;
+        };
+        for (const auto& [x, y] : {std::pair{0.5, 0.5}, {0.51, 0.3}, {0.02, 0.02}, {0.99, 0.5}})
+            EXPECT_TRUE(hits(x, y)) << size << ": " << x << ' ' << y;
+        for (const auto& [x, y] : {std::pair{1.01, 0.5}, {-0.01, 0.5}, {1.3, 1.3}, {0.5, 9.0}})
+            EXPECT_FALSE(hits(x, y)) << size << ": " << x << ' ' << y;
+    }
+    constexpr double size = 3e-162;
+    const Polygon<double> diamond({{size, 0, 0}, {0, size, 0}, {-size, 0, 0}, {0, -size, 0}});
+    EXPECT_EQ(diamond.intervals({{0.51 * size, 0.51 * size, size}, {0, 0, -1}}).count, 0);
+    EXPECT_EQ(diamond.intervals({{0.3 * size, 0.3 * size, size}, {0, 0, -1}}).count, 1);
+}
+
 // By the even-odd rule the middle of a pentagram lies outside: its edges run around it twice.
 TEST(Polygon, a_pentagram_is_open_in_its_middle) {
     std::vector<Vec3d> corners;
