@@ -2,6 +2,7 @@
 // Eight boxes, tested against a ray at once.
 
 #include "core/math/box.hpp"
+#include "core/math/lanes.hpp"
 #include "core/math/ray.hpp"
 
 #include <array>
@@ -38,13 +39,14 @@ struct alignas(32) Node8 {
     }
 };
 
+/// One number of each.
+using EightFloats = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 8>>;
+
 /// A ray made ready for them: see SlabRay. Float has few digits, so the margin is wider here:
 /// 4 ε · (largest coordinate of the origin + 2), where 2 is the size of the tree. That is twice what the operations of
 /// `enter` round.
 class Ray8 {
 public:
-    using Floats = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 8>>;
-
     /// @param scale a power of two that brings the tree's coordinates below 2
     Ray8(const Ray<double>& ray, double scale, double distortion) : scale_(scale) {
         const double size = largest_component(absolute(ray.origin)) * scale + 2;
@@ -70,7 +72,8 @@ public:
         using std::experimental::max, std::experimental::min;
         const auto at = [&](const std::array<float, 8>& planes, const std::array<float, 3>& origin,
                             std::size_t axis) {
-            return (Floats(planes.data(), std::experimental::vector_aligned) - origin[axis]) * inverse_[axis];
+            return (EightFloats(planes.data(), std::experimental::vector_aligned) - origin[axis]) *
+                   inverse_[axis];
         };
         const auto nearer = [&](std::size_t axis) {
             return at(down_[axis] ? node.high[axis] : node.low[axis], near_, axis);
@@ -78,11 +81,9 @@ public:
         const auto farther = [&](std::size_t axis) {
             return at(down_[axis] ? node.low[axis] : node.high[axis], far_, axis);
         };
-        const Floats enter = max(max(nearer(0), nearer(1)), max(nearer(2), Floats(0.0F))),
-                     exit = min(min(farther(0), farther(1)), min(farther(2), Floats(reach)));
-        const auto met = enter <= exit;
-        Entered entered{0, {}};
-        for (std::size_t i = 0; i < 8; ++i) entered.boxes |= unsigned(met[i]) << i;
+        const EightFloats enter = max(max(nearer(0), nearer(1)), max(nearer(2), EightFloats(0.0F))),
+                          exit = min(min(farther(0), farther(1)), min(farther(2), EightFloats(reach)));
+        Entered entered{bits_of(enter <= exit), {}};
         enter.copy_to(entered.at.data(), std::experimental::element_aligned);
         return entered;
     }

@@ -1,7 +1,5 @@
 #include "core/boxes/point_tree.hpp"
 
-#include <experimental/simd>
-
 namespace rayscope {
 
 PointTree::PointTree(std::span<const Box<double>> boxes) {
@@ -27,16 +25,12 @@ Box<float> PointTree::around_point(const Vec3d& point, double margin) const {
 }
 
 unsigned PointTree::met(const Node8& node, const Box<float>& box) {
-    using Floats = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 8>>;
     const auto meets = [&](int axis) {
         const auto at = std::size_t(axis);
-        return (Floats(node.low[at].data(), std::experimental::vector_aligned) <= box.high[axis]) &
-               (Floats(node.high[at].data(), std::experimental::vector_aligned) >= box.low[axis]);
+        return (EightFloats(node.low[at].data(), std::experimental::vector_aligned) <= box.high[axis]) &
+               (EightFloats(node.high[at].data(), std::experimental::vector_aligned) >= box.low[axis]);
     };
-    const auto all = meets(0) & meets(1) & meets(2);
-    unsigned bits = 0;
-    for (std::size_t i = 0; i < 8; ++i) bits |= unsigned(all[i]) << i;
-    return bits;
+    return bits_of(meets(0) & meets(1) & meets(2));
 }
 
 } // namespace rayscope

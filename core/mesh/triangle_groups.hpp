@@ -2,6 +2,7 @@
 // Triangles in groups: a corner and the two edges that start there.
 
 #include "core/boxes/groups.hpp"
+#include "core/math/lanes.hpp"
 
 #include <experimental/simd>
 
@@ -85,7 +86,7 @@ private:
         unsigned near = 0;
         for (std::size_t part = 0; part < group_lanes; part += Lanes::size()) {
             const auto kept = !(least_of(ray, reach, slack, numbers + part, count) < 0.0F);
-            for (std::size_t i = 0; i < Lanes::size(); ++i) near |= unsigned(kept[i]) << (part + i);
+            near |= bits_of(kept) << part;
         }
         return near;
     }

@@ -2,6 +2,7 @@
 // A cell that is cut into eight, and how a ray goes through the parts.
 
 #include "core/boxes/slab_ray.hpp"
+#include "core/math/lanes.hpp"
 #include "core/octree/limits.hpp"
 
 #include <array>
@@ -107,9 +108,7 @@ public:
                             std::experimental::min(at(3 - near_[0], last, 0), at(5 - near_[1], last, 1)),
                             std::experimental::min(at(7 - near_[2], last, 2), Lanes(reach)));
             from.copy_to(&enter[half * Lanes::size()], std::experimental::element_aligned);
-            const auto inside = from <= to;
-            for (std::size_t i = 0; i < Lanes::size(); ++i)
-                met |= unsigned(inside[i]) << (half * Lanes::size() + i);
+            met |= bits_of(from <= to) << (half * Lanes::size());
         }
         return met;
     }

@@ -2,6 +2,7 @@
 // Balls in groups: their centres and radii, in floats.
 
 #include "core/boxes/groups.hpp"
+#include "core/math/lanes.hpp"
 #include "core/stage/balls.hpp"
 
 #include <experimental/simd>
@@ -51,7 +52,7 @@ private:
             const Lanes px = x - middle * ray.dx, py = y - middle * ray.dy, pz = z - middle * ray.dz;
             const auto met = (radius * radius >= px * px + py * py + pz * pz) & (middle + radius >= 0.0F) &
                              (reach + radius >= middle);
-            for (std::size_t i = 0; i < Lanes::size(); ++i) near |= unsigned(met[i]) << (part + i);
+            near |= bits_of(met) << part;
         }
         return near;
     }

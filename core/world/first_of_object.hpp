@@ -49,7 +49,7 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     return left;
 }
 
-/// The same where the ray starts on a plain solid that is no mesh: its few crossings need no list.
+/// `first_of_object` where the ray starts on a plain solid that is no mesh: its few crossings need no list.
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard]] std::optional<Crossing<T>> first_from_solid(const World<N>& world, std::uint32_t index,
                                                           const Ray<T>& ray, const Range<T>& range,
@@ -64,7 +64,7 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     return first_crossing(world, ray, {ends.data(), count}, range, &leaving);
 }
 
-/// The same for a ball on which the ray does not start. Inlined, so that the hit need not pass through memory.
+/// The same as `first_of_object` for a ball on which the ray does not start. Inlined, so that the hit need not pass through memory.
 template <Numbers N, Scalar T = ScalarOf<N>>
 [[nodiscard, gnu::always_inline]] inline std::optional<Hit<T>>
 first_of_ball(const Ball<N>& ball, std::uint32_t object, const Ray<T>& ray, const Range<T>& range,

@@ -1,15 +1,13 @@
 #include "core/csg/expression.hpp"
 #include "core/csg/program.hpp"
 #include "tests/csg/lists.hpp"
+#include "tests/csg/trees.hpp"
 #include "tests/support/effort.hpp"
-#include "tests/support/random.hpp"
 
 #include <gtest/gtest.h>
 
 namespace rayscope::test {
 namespace {
-
-using Tree = std::vector<CompoundNode>;
 
 // Small whole numbers, so that ends coincide all the time.
 List random_list(Random& random, std::uint32_t solid) {
@@ -19,21 +17,6 @@ List random_list(Random& random, std::uint32_t solid) {
     for (int n = random.below(5); n > 0; --n) times.push_back(t += 1 + random.below(3));
     if (times.size() % 2 == 1) times.push_back(inf);
     return list_of(solid, times);
-}
-
-std::uint32_t grow(Random& random, int leaves, std::uint32_t& next_solid, Tree& tree, bool chains) {
-    if (random.below(5) == 0 && !chains) {
-        const std::uint32_t operand = grow(random, leaves, next_solid, tree, chains);
-        tree.push_back({Operation::complement, operand, 0, 0});
-    } else if (leaves == 1) {
-        tree.push_back({Operation::leaf, 0, 0, next_solid++});
-    } else {
-        const int left = chains ? leaves - 1 : 1 + random.below(leaves - 1);
-        const std::uint32_t a = grow(random, left, next_solid, tree, chains);
-        const std::uint32_t b = grow(random, leaves - left, next_solid, tree, chains);
-        tree.push_back({Operation(1 + random.below(3)), a, b, 0});
-    }
-    return std::uint32_t(tree.size() - 1);
 }
 
 std::vector<List> random_leaves(Random& random, std::uint32_t count) {
@@ -71,7 +54,7 @@ TEST(Program, gives_the_authors_trees_list_surface_by_surface) {
         Random random(seed);
         Tree tree;
         std::uint32_t solids = 0;
-        grow(random, 1 + random.below(9), solids, tree, random.coin());
+        grow(random, 1 + random.below(9), solids, tree, random.coin() ? Grown::chains : Grown::anything);
         const std::vector<List> leaves = random_leaves(random, solids);
         ASSERT_EQ(run_program(tree, leaves), evaluated(tree, leaves)) << "seed " << seed;
     }
@@ -82,7 +65,7 @@ TEST(Program, is_inside_where_the_tree_is_point_by_point) {
         Random random(seed);
         Tree tree;
         std::uint32_t solids = 0;
-        grow(random, 1 + random.below(9), solids, tree, random.coin());
+        grow(random, 1 + random.below(9), solids, tree, random.coin() ? Grown::chains : Grown::anything);
         const std::vector<List> leaves = random_leaves(random, solids);
         const List list = run_program(tree, leaves);
         for (double t = -0.5; t < 20; t += 1)

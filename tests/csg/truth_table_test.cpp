@@ -1,27 +1,13 @@
 #include "core/csg/truth_table.hpp"
 
 #include "tests/csg/lists.hpp"
+#include "tests/csg/trees.hpp"
 #include "tests/support/effort.hpp"
-#include "tests/support/random.hpp"
 
 #include <gtest/gtest.h>
 
 namespace rayscope::test {
 namespace {
-
-using Tree = std::vector<CompoundNode>;
-
-std::uint32_t grow(Random& random, int leaves, std::uint32_t& next_solid, Tree& tree) {
-    if (leaves == 1) {
-        tree.push_back({Operation::leaf, 0, 0, next_solid++});
-    } else {
-        const int left = 1 + random.below(leaves - 1);
-        const std::uint32_t a = grow(random, left, next_solid, tree);
-        const std::uint32_t b = grow(random, leaves - left, next_solid, tree);
-        tree.push_back({Operation(1 + random.below(3)), a, b, 0});
-    }
-    return std::uint32_t(tree.size() - 1);
-}
 
 struct Gathered {
     OperandEnds<double> ends;
@@ -64,7 +50,7 @@ TEST(TruthTable, gives_the_programs_list_unless_ends_are_tied) {
         Random random(seed);
         Tree tree;
         std::uint32_t solids = 0;
-        grow(random, 1 + random.below(6), solids, tree);
+        grow(random, 1 + random.below(6), solids, tree, Grown::no_complements);
         std::vector<Interval<double>> intervals;
         std::vector<List> leaves;
         const bool whole = random.coin();

@@ -76,6 +76,8 @@ void add_size(std::vector<std::string>& arguments, const std::optional<Size>& si
     arguments.push_back(std::to_string(size->width) + "x" + std::to_string(size->height));
 }
 
+fs::path folder_of_own() { return fs::temp_directory_path() / "rayscope-XXXXXX"; }
+
 } // namespace
 
 bool can_draw() { return access(view_program().c_str(), X_OK) == 0; }
@@ -87,7 +89,7 @@ const char* how_to_draw() {
 
 void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::optional<Size> size, int ray) {
     const IgnoreInterrupts patience;
-    const TemporaryFolder folder(fs::temp_directory_path() / "rayscope-XXXXXX");
+    const TemporaryFolder folder(folder_of_own());
     const fs::path file = folder.path() / "trace.json";
     write_trace(trace, file);
     std::vector<std::string> arguments{view_program().string(),
@@ -108,7 +110,7 @@ void draw(Drawing drawing, const Trace& trace, const fs::path& output, std::opti
 
 void draw_heat(const Map& map, const std::string& title, const fs::path& output) {
     const IgnoreInterrupts patience;
-    const TemporaryFolder folder(fs::temp_directory_path() / "rayscope-XXXXXX");
+    const TemporaryFolder folder(folder_of_own());
     const fs::path file = folder.path() / "heat.pfm";
     write_map(map, file);
     run_or_throw({view_program().string(), "heat", file.string(), "--title", title, "-o", output.string()});

@@ -1,0 +1,15 @@
+#pragma once
+// Comparisons of many numbers at once.
+
+#include <cstddef>
+
+namespace rayscope {
+
+/// Bit i: lane i of the mask is set.
+template <typename Mask> [[nodiscard, gnu::always_inline]] inline unsigned bits_of(const Mask& mask) {
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < Mask::size(); ++i) bits |= unsigned(mask[i]) << i;
+    return bits;
+}
+
+} // namespace rayscope
