@@ -1,6 +1,7 @@
 // Guards against a box that hides what a line enters, and against boxes that cost more than they save.
 
 #include "tests/csg/lists.hpp"
+#include "tests/csg/trees.hpp"
 #include "tests/support/effort.hpp"
 #include "tests/support/random.hpp"
 
@@ -10,8 +11,6 @@
 
 namespace rayscope::test {
 namespace {
-
-using Tree = std::vector<CompoundNode>;
 
 /// Where a line is in a box: its list, as a cube's kernel would find it, or an extent's answer.
 std::optional<std::pair<double, double>> inside(const Box<double>& box, const Ray<double>& line) {
