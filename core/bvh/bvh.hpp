@@ -12,7 +12,7 @@ namespace rayscope {
 
 struct BvhStatistics {
     std::size_t nodes = 0, leaves = 0;
-    std::size_t apart = 0; ///< objects without end: see Unboxed
+    std::size_t apart = 0; ///< objects without end, or a lone mesh: see Unboxed
     int depth = 0;
     std::size_t bytes = 0;
     double build_seconds = 0;

@@ -48,6 +48,12 @@ template <Numbers N> void BvhBuilder<N>::note_places() {
 template <Numbers N> std::vector<BoxedItem> BvhBuilder<N>::sort_out() {
     std::vector<std::uint32_t> apart;
     const Reach reach = rayscope::sort_out(world_, apart, tree_.all_);
+    // A mesh has a tree of its own: another one above it alone would be set out for in vain.
+    if (tree_.all_.size() == 1 && is_mesh(world_.objects[tree_.all_.front()])) {
+        apart.push_back(tree_.all_.front());
+        std::ranges::sort(apart);
+        tree_.all_.clear();
+    }
     tree_.apart_ = Unboxed<N>(world_, apart);
     tree_.distortion_ = reach.distortion;
     if (!tree_.all_.empty()) tree_.scale_ = tree_scale(reach.size());
@@ -58,6 +64,10 @@ template <Numbers N> std::vector<BoxedItem> BvhBuilder<N>::sort_out() {
         items.push_back({scaled_outward(world_.objects[id].bounds, tree_.scale_), id,
                          float(test_cost_in_leaf(world_, world_.objects[id]))});
     return items;
+}
+
+template <Numbers N> bool BvhBuilder<N>::is_mesh(const Object& object) const {
+    return !object.is_compound && std::holds_alternative<Mesh<N>>(world_.solids[object.index].shape);
 }
 
 template <Numbers N> std::uint32_t BvhBuilder<N>::make_leaf(std::span<const BoxedItem> items) {

@@ -15,6 +15,7 @@ public:
 
 private:
     [[nodiscard]] std::vector<BoxedItem> sort_out();
+    [[nodiscard]] bool is_mesh(const Object& object) const;
     /// Where each node and leaf hangs: recording alone asks.
     void note_places();
     [[nodiscard]] std::uint32_t make_leaf(std::span<const BoxedItem> items);

@@ -13,12 +13,23 @@ template <Scalar To, Scalar From> std::vector<Vec3<To>> converted(const std::vec
     return result;
 }
 
+// In the processor's own 64 bits, a thirtieth of the work, where nothing cancels: each product of two edges is off by 2⁻⁶²
+// of itself, so that what they add up to is known to 2⁻⁵⁶.
+std::optional<Vec3<long double>> clear_normal(const std::vector<Vec3<long double>>& vertices) {
+    long double edges = 0;
+    for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
+        edges += length(vertices[i] - vertices[0]) * length(vertices[i + 1] - vertices[0]);
+    const Vec3<long double> area = area_vector(vertices);
+    if (!(length(area) * 64 > edges)) return std::nullopt;
+    return normalized(area);
+}
+
 // A sliver's differences of corners cancel: stable, they are taken in 113 bits.
 template <Numbers N, Scalar T = ScalarOf<N>> Vec3<T> normal_of(const std::vector<Vec3<T>>& vertices) {
-    if constexpr (is_textbook<N>)
-        return normalized(area_vector(vertices));
-    else
-        return as<T>(normalized(area_vector(converted<Float128>(vertices))));
+    if constexpr (is_textbook<N>) return normalized(area_vector(vertices));
+    if constexpr (limits::digits<T> <= limits::digits<double>)
+        if (const auto normal = clear_normal(converted<long double>(vertices))) return as<T>(*normal);
+    return as<T>(normalized(area_vector(converted<Float128>(vertices))));
 }
 
 } // namespace

@@ -77,6 +77,7 @@ template <Scalar T> [[nodiscard]] Vec3<T> area_vector(const std::vector<Vec3<T>>
 }
 
 template <Numbers N> template <Numbers M> Polygon<M> Polygon<N>::to() const {
+    if constexpr (std::is_same_v<M, N>) return *this;
     const auto converted = [](const std::vector<Vec3<T>>& vectors) {
         std::vector<Vec3<ScalarOf<M>>> result;
         for (const Vec3<T>& v : vectors) result.push_back(as<ScalarOf<M>>(v));

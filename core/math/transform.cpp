@@ -50,6 +50,10 @@ bool is_clearly_invertible(const Mat4d& matrix) {
 } // namespace
 
 template <Numbers N> Transform<N>::Transform(const Mat4d& matrix) {
+    if (Mat3<double>(matrix) == Mat3<double>(1)) {
+        *this = moving(Vec3d(matrix[3]));
+        return;
+    }
     const auto m = linear_part<Working<N>>(matrix);
     const auto c = cofactors<true>(m);
     const auto det = determinant(m, c);
