@@ -2,45 +2,98 @@
 
 #include "core/image/srgb.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <cstdlib>
 
 namespace rayscope {
 namespace {
 
 // Of the surface's directions: beyond about 18 degrees an edge is seen.
 constexpr double least_cosine = 0.95;
-// Of colours, in steps of an image file: two neighbours this far apart make a visible step.
+// Two neighbours that are farther apart make a visible step.
 constexpr int largest_step = 3;
+
+using Bytes = std::array<std::uint8_t, 3>;
+
+int steps_between(const Bytes& a, const Bytes& b) {
+    int most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(int(a[i]) - int(b[i])));
+    return most;
+}
+
+bool is_same_surface(const FirstSeen& a, const FirstSeen& b) {
+    return a.object == b.object && (a.object == none || dot(a.normal, b.normal) > least_cosine);
+}
+
+// An image as its file shows it.
+class ByteImage {
+public:
+    explicit ByteImage(const Image& image) : width_(image.width), height_(image.height) {
+        bytes_.reserve(std::size_t(width_) * std::size_t(height_));
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x) bytes_.push_back(srgb_bytes(image.at(x, y)));
+    }
+
+    [[nodiscard]] std::size_t size() const { return bytes_.size(); }
+    [[nodiscard]] const Bytes& operator[](std::size_t pixel) const { return bytes_[pixel]; }
+    /// Calls pair(pixel, other) once for each two of the pixels, row by row, that touch.
+    template <typename Pair> void each_pair(const Pair& pair) const {
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x) {
+                if (x + 1 < width_) pair(place(x, y), place(x + 1, y));
+                if (y + 1 == height_) continue;
+                for (int other = std::max(x - 1, 0); other <= std::min(x + 1, width_ - 1); ++other)
+                    pair(place(x, y), place(other, y + 1));
+            }
+    }
+
+private:
+    [[nodiscard]] std::size_t place(int x, int y) const {
+        return std::size_t(y) * std::size_t(width_) + std::size_t(x);
+    }
+
+    int width_, height_;
+    std::vector<Bytes> bytes_;
+};
 
 } // namespace
 
-bool differ(const Colour& a, const Colour& b) {
-    const auto one = srgb_bytes(a), other = srgb_bytes(b);
-    for (std::size_t i = 0; i < one.size(); ++i)
-        if (std::abs(int(one[i]) - int(other[i])) > largest_step) return true;
-    return false;
+ColourSpread::ColourSpread(const Colour& first) : low_(srgb_bytes(first)), high_(low_) {}
+
+void ColourSpread::add(const Colour& colour) {
+    const auto bytes = srgb_bytes(colour);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        low_[i] = std::min(low_[i], bytes[i]);
+        high_[i] = std::max(high_[i], bytes[i]);
+    }
 }
 
-std::vector<bool> uneven_pixels(const Image& image, const std::vector<FirstSeen>& seen) {
-    std::vector<bool> uneven(seen.size());
-    const auto index = [&](int x, int y) {
-        return std::size_t(y) * std::size_t(image.width) + std::size_t(x);
-    };
-    const auto compare = [&](int x, int y, int other_x, int other_y) {
-        if (other_x < 0 || other_x >= image.width || other_y >= image.height) return;
-        const std::size_t a = index(x, y), b = index(other_x, other_y);
-        const bool same = seen[a].object == seen[b].object &&
-                          (seen[a].object == none || dot(seen[a].normal, seen[b].normal) > least_cosine) &&
-                          !differ(image.at(x, y), image.at(other_x, other_y));
-        if (!same) uneven[a] = uneven[b] = true;
-    };
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            compare(x, y, x + 1, y);
-            for (int aside = -1; aside <= 1; ++aside) compare(x, y, x + aside, y + 1);
-        }
-    }
-    return uneven;
+int ColourSpread::steps() const { return steps_between(low_, high_); }
+
+Contrasts contrasts(const Image& image, const std::vector<FirstSeen>& seen) {
+    const ByteImage bytes(image);
+    Contrasts contrasts(bytes.size());
+    bytes.each_pair([&](std::size_t a, std::size_t b) {
+        const int steps = steps_between(bytes[a], bytes[b]);
+        if (steps <= largest_step && is_same_surface(seen[a], seen[b])) return;
+        for (const std::size_t pixel : {a, b})
+            contrasts[pixel] = std::max(contrasts[pixel], std::uint8_t(std::max(steps, 1)));
+    });
+    return contrasts;
+}
+
+Contrasts contrasts_beside(const Image& image, const Map& samples, const Contrasts& refined) {
+    const ByteImage bytes(image);
+    Contrasts contrasts;
+    bytes.each_pair([&](std::size_t a, std::size_t b) {
+        if ((refined[a] == 0) == (refined[b] == 0)) return;
+        const std::size_t other = refined[a] == 0 ? a : b;
+        const int steps = steps_between(bytes[a], bytes[b]);
+        if (samples.values[other] > 1 || steps <= largest_step) return;
+        contrasts.resize(bytes.size());
+        contrasts[other] = std::max(contrasts[other], std::uint8_t(steps));
+    });
+    return contrasts;
 }
 
 } // namespace rayscope

@@ -1,29 +1,68 @@
 #pragma once
-// Where a pixel needs more than one sample.
+// Where a pixel needs more than one sample, and how many.
 
 #include "core/image/image.hpp"
+#include "core/image/map.hpp"
 #include "core/tracer/tracer.hpp"
 
 #include <vector>
 
 namespace rayscope {
 
-/// Whether a person could tell two colours apart, as they are shown.
-[[nodiscard]] bool differ(const Colour& a, const Colour& b);
+/// For each pixel, row by row: 0 where one sample is enough; else how far its colour is from its neighbours', in steps of an
+/// image file's bytes, or 1 where only another object or another direction of the surface is seen beside it.
+using Contrasts = std::vector<std::uint8_t>;
 
-/// The pixels beside which another object, another direction of the surface or another colour is seen.
-/// @param seen by the ray through each pixel's middle, row by row
-[[nodiscard]] std::vector<bool> uneven_pixels(const Image& image, const std::vector<FirstSeen>& seen);
+/// @param seen by the ray through each pixel's middle
+[[nodiscard]] Contrasts contrasts(const Image& image, const std::vector<FirstSeen>& seen);
 
-/// The mean of a pixel's samples. All of them: where the first few are alike, the others still find slivers, and what
-/// an early end saves at an edge it loses there in exactness (measured: a decibel).
+/// Of pixels that have one sample still, beside those that have got more just now: what these found, a sliver of an edge or
+/// of a highlight, may go on where no ray through a middle meets it.
+/// @param refined where it is not 0, a pixel has got more
+/// @return nothing where all are even
+[[nodiscard]] Contrasts contrasts_beside(const Image& image, const Map& samples, const Contrasts& refined);
+
+/// The least and the largest of some colours, as an image file shows them.
+class ColourSpread {
+public:
+    explicit ColourSpread(const Colour& first);
+
+    void add(const Colour& colour);
+    /// Between the two that are the farthest apart, in any primary.
+    [[nodiscard]] int steps() const;
+
+private:
+    std::array<std::uint8_t, 3> low_, high_;
+};
+
+/// A pixel's colour and how many samples it is the mean of.
+struct RefinedPixel {
+    Colour colour;
+    int samples;
+};
+
+/// Where a pixel differs little from its neighbours and its samples from each other, a quarter of them tells its colour as
+/// well, somewhat more, a half: the error of a mean is a share of what is averaged. Samples that are alike say nothing by
+/// themselves: at an edge, all may lie on one side.
 /// @param first the sample in the middle
+/// @param most at most so many, and all of them where they are too few to stop early
 /// @param trace gives another one by its number
 template <typename Trace>
-[[nodiscard]] Colour mean_of_samples(const Colour& first, int count, const Trace& trace) {
-    Colour sum = first;
-    for (int sample = 1; sample < count; ++sample) sum += trace(sample);
-    return sum / double(count);
+[[nodiscard]] RefinedPixel refine(const Colour& first, int contrast, int most, const Trace& trace) {
+    constexpr int fewest = 4, slight = 8, moderate = 24; // samples; steps: measured
+    RefinedPixel pixel{first, 1};
+    ColourSpread spread(first);
+    const auto take = [&](int count) {
+        for (; pixel.samples < count; ++pixel.samples) {
+            const Colour sample = trace(pixel.samples);
+            pixel.colour += sample;
+            spread.add(sample);
+        }
+        return std::max(contrast, spread.steps());
+    };
+    if (most / 4 < fewest || (take(most / 4) > slight && take(most / 2) > moderate)) take(most);
+    pixel.colour /= double(pixel.samples);
+    return pixel;
 }
 
 } // namespace rayscope

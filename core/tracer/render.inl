@@ -53,12 +53,12 @@ public:
 
     [[nodiscard]] RenderResult render() {
         std::vector<FirstSeen> seen(samples_ > 1 ? std::size_t(width_) * std::size_t(height_) : 0);
-        pass([&](auto& tracer, int x, int y) {
+        pass(options_, everywhere, [&](auto& tracer, int x, int y) {
             result_.image.set(x, y, trace(tracer, {x, y, 0}));
             if constexpr (mask == EffectMask::all)
                 if (samples_ > 1) seen[index(x, y)] = tracer.first_seen();
         });
-        if (samples_ > 1 && result_.complete) smooth(uneven_pixels(result_.image, seen));
+        if (samples_ > 1 && result_.complete) smooth(seen);
         if (options_.heat == Heat::samples) result_.heat = samples_ > 1 ? result_.samples : even_map(1);
         if (options_.maps_light() && samples_ > 1) // the mean, as of the colour
             std::ranges::transform(result_.heat.values, result_.samples.values, result_.heat.values.begin(),
@@ -75,21 +75,32 @@ private:
                            std::declval<const RenderOptions&>(), std::declval<RenderStatistics&>()));
     using PixelTracer = Tracer<N, Stage, NullRecorder, DepthFirst, mask>;
 
-    void smooth(const std::vector<bool>& uneven) {
-        result_.samples = Map(width_, height_);
-        pass([&](auto& tracer, int x, int y) {
-            const bool more = options_.even_samples || uneven[index(x, y)];
-            if (more)
-                result_.image.set(x, y, mean_of_samples(result_.image.at(x, y), samples_, [&](int sample) {
-                                      return trace(tracer, {x, y, sample});
-                                  }));
-            result_.samples.at(x, y) = more ? float(samples_) : 1;
-        });
+    // Edges are followed for so many pixels beyond where the first samples saw them.
+    static constexpr int most_rounds = 64;
+    static constexpr auto everywhere = [](int, int) { return true; };
+
+    void smooth(const std::vector<FirstSeen>& seen) {
+        result_.samples = even_map(1);
+        Contrasts uneven =
+            options_.even_samples ? Contrasts(seen.size(), 255) : contrasts(result_.image, seen);
+        RenderOptions silent = options_;
+        silent.progress = nullptr;
+        for (int round = 0; round < most_rounds && !uneven.empty() && result_.complete; ++round) {
+            const auto is_uneven = [&](int x, int y) { return uneven[index(x, y)] > 0; };
+            pass(round == 0 ? options_ : silent, is_uneven, [&](auto& tracer, int x, int y) {
+                const RefinedPixel pixel = refine(result_.image.at(x, y), uneven[index(x, y)], samples_,
+                                                  [&](int sample) { return trace(tracer, {x, y, sample}); });
+                result_.image.set(x, y, pixel.colour);
+                result_.samples.at(x, y) = float(pixel.samples);
+            });
+            uneven = contrasts_beside(result_.image, result_.samples, uneven);
+        }
     }
 
-    /// Calls pixel(tracer, x, y) for each of them.
-    template <typename Pixel> void pass(const Pixel& pixel) {
-        result_.complete = for_each_tile(width_, height_, options_, [&](const Tile& tile) {
+    /// Calls pixel(tracer, x, y) for each that is wanted.
+    template <typename Wanted, typename Pixel>
+    void pass(const RenderOptions& options, const Wanted& wanted, const Pixel& pixel) {
+        result_.complete = for_each_tile(width_, height_, options, [&](const Tile& tile) {
             NullRecorder recorder;
             Work<T>& work = works_.local();
             PixelTracer tracer(world_, stage_, work, recorder);
@@ -99,6 +110,7 @@ private:
             }
             for (int y = tile.top; y < tile.bottom; ++y) {
                 for (int x = tile.left; x < tile.right; ++x) {
+                    if (!wanted(x, y)) continue;
                     std::optional<HeatMeter> meter;
                     if (options_.heat && !is_of_trace(*options_.heat))
                         meter.emplace(*options_.heat, work.counters);

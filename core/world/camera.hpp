@@ -23,7 +23,7 @@ public:
 
     /// Through the point (x, y) in pixels; the middle of pixel (i, j) is (i + ½, j + ½).
     [[nodiscard]] Ray<double> through(double x, double y) const;
-    /// Through the place of a pixel's sample: the first one in its middle.
+    /// Through the place of a pixel's sample: the first one in its middle. So is the mean of the first 4, 8, 16 …
     [[nodiscard]] Ray<double> of(const SampleAddress& sample) const;
 
     /// A point in the eye's own lengths: to the right, down, and along the view.

@@ -1,5 +1,6 @@
 // Guards against samples where nothing differs, and against steps where something does.
 
+#include "core/tracer/antialiasing.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -83,6 +84,67 @@ TEST(Samples, cover_as_much_of_an_edge_pixel_as_the_ball_does) {
             // Along a diagonal edge Sobol's points stand in rows: one of them falls to one side as a whole.
             EXPECT_NEAR(smooth.at(x, y).x, sum / 64, 7.5 / 64) << x << ' ' << y;
         }
+}
+
+TEST(Samples, have_their_mean_in_the_middle_of_the_pixel) {
+    const EyeRays eye_rays(Camera{}, 64, 64);
+    for (const int count : {1, 4, 8, 16, 64}) {
+        Vec3d sum{0};
+        for (int sample = 0; sample < count; ++sample) {
+            const Vec3d d = eye_rays.of({20, 30, sample}).direction; // through a plane at distance 1
+            const Vec3d ahead = eye_rays.through(32, 32).direction;
+            sum += d / dot(d, ahead);
+        }
+        const Vec3d middle = eye_rays.through(20.5, 30.5).direction;
+        EXPECT_LT(length(normalized(sum) - middle), 1e-15) << count;
+    }
+}
+
+// A rod so thin and so flat that the rays through the middles meet it in some columns alone.
+TEST(Samples, follow_an_edge_to_where_no_middle_sees_it) {
+    SceneBuilder b;
+    b.scene().camera.eye = {0, 0, 10};
+    b.scene().camera.look_at = {0, 0, 0};
+    b.scene().camera.up = {0, 1, 0};
+    b.scene().camera.width = b.scene().camera.height = 64;
+    b.scene().camera.samples = 16;
+    b.scene().background = Colour{0};
+    const double pixel = 2 * std::tan(b.scene().camera.field_of_view * std::numbers::pi / 360) * 10 / 64;
+    const Mat4d rod = translation({0, 0.3 * pixel, 0}) *
+                      rotation({0, 0, 1}, std::atan(2.0 / 64) * 180 / std::numbers::pi) *
+                      scaling(100, 0.15 * pixel, 0.01);
+    b.generic(Cube<double>{}, rod, b.glowing({1, 1, 1}), "rod");
+    const RenderResult result = render(b.open(), RenderOptions{});
+    RenderOptions once;
+    once.samples = 1;
+    const RenderResult middles = render(b.open(), once);
+    int seen = 0, followed = 0;
+    for (int x = 1; x < 63; ++x) {
+        bool middle = false, any = false;
+        for (int y = 0; y < 64; ++y) {
+            middle = middle || middles.image.at(x, y).x > 0;
+            any = any || result.image.at(x, y).x > 0;
+        }
+        seen += middle ? 1 : 0;
+        followed += any ? 1 : 0;
+    }
+    EXPECT_LT(seen, 40);
+    EXPECT_EQ(followed, 62);
+}
+
+TEST(Samples, are_fewer_where_there_is_little_to_tell) {
+    const auto taken = [](int contrast, double most, int count) {
+        return refine(Colour{0.5}, contrast, count,
+                      [&](int sample) { return Colour{0.5 + most * (sample % 2)}; })
+            .samples;
+    };
+    EXPECT_EQ(taken(4, 0, 16), 4);
+    EXPECT_EQ(taken(16, 0, 16), 8);
+    EXPECT_EQ(taken(64, 0, 16), 16); // an edge that all samples so far lie on one side of
+    EXPECT_EQ(taken(4, 0.3, 16), 16);
+    EXPECT_EQ(taken(4, 0, 64), 16);
+    EXPECT_EQ(taken(1, 0, 12), 12); // too few to leave any out
+    EXPECT_EQ(taken(1, 0, 2), 2);
 }
 
 } // namespace

@@ -5,15 +5,28 @@
 #include "visualizer/figures/lanes.hpp"
 #include "visualizer/figures/solid.hpp"
 
-#include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace rayscope::figures {
 namespace {
 
-std::vector<std::uint8_t> picture_of(const Map& samples) {
+constexpr Rgb pale{0xF6, 0xF7, 0xF9};
+
+// The bluer, the more.
+Rgb colour_of(double samples, double most) {
+    if (!(samples > 1)) return pale;
+    const double depth = samples / most;
+    const auto mixed = [&](std::uint8_t from, std::uint8_t to) {
+        return std::uint8_t(std::lround(from + depth * (to - from)));
+    };
+    return {mixed(pale.red, blue.red), mixed(pale.green, blue.green), mixed(pale.blue, blue.blue)};
+}
+
+std::vector<std::uint8_t> picture_of(const Map& samples, double most) {
     drawing::Raster raster{samples.width, samples.height, {}};
     for (const float count : samples.values) {
-        const Rgb colour = count > 1 ? blue : Rgb{0xF6, 0xF7, 0xF9};
+        const Rgb colour = colour_of(double(count), most);
         raster.bytes.insert(raster.bytes.end(), {colour.red, colour.green, colour.blue});
     }
     return drawing::png_bytes(raster);
@@ -32,26 +45,29 @@ Svg edge_samples(const Subject& subject) {
     if (result.samples.values.empty())
         throw InputError(subject.bench.scene.file, {}, "a figure needs more than one sample in a pixel");
     const drawing::Area left{4, 40, shown, tall}, right{1000 - 4 - shown, 40, shown, tall};
+    std::map<float, int> pixels;
+    double rays = 0;
+    for (const float count : result.samples.values) {
+        ++pixels[count];
+        rays += double(count);
+    }
+    const double most = double(pixels.rbegin()->first), all = double(result.samples.values.size());
     svg.image(left, png_of(result.image));
-    svg.image(right, picture_of(result.samples));
+    svg.image(right, picture_of(result.samples, most));
     for (const drawing::Area& area : {left, right}) svg.frame(area, {grey, 1.5});
     svg.text({left.x + shown / 2, 20}, "the image", {21, black, true});
     svg.text({right.x + shown / 2, 20}, "samples in each pixel", {21, black, true});
 
-    const auto& counts = result.samples.values;
-    const float most = *std::max_element(counts.begin(), counts.end());
-    const auto more = double(std::count_if(counts.begin(), counts.end(), [](float n) { return n > 1; }));
-    double rays = 0;
-    for (const float n : counts) rays += double(n);
-    const double y = tall + 68, pixels = double(counts.size());
-    svg.rectangle({right.x, y - 12, 34, 24}, {Rgb{0xF6, 0xF7, 0xF9}});
-    svg.frame({right.x, y - 12, 34, 24}, {grey, 1.5});
-    svg.text({right.x + 44, y}, "1", {20, black, false, Anchor::start});
-    svg.rectangle({right.x + 90, y - 12, 34, 24}, {blue});
-    svg.text({right.x + 134, y},
-             digits(double(most)) + ", in " + digits(100 * more / pixels, 0) + " % of the pixels",
-             {20, black, false, Anchor::start});
-    svg.text({left.x, y}, digits(rays / pixels, 1) + " samples for each pixel in the mean",
+    const double y = tall + 68;
+    double x = right.x;
+    for (const auto& [count, held] : pixels) {
+        svg.rectangle({x, y - 12, 34, 24}, {colour_of(double(count), most)});
+        svg.frame({x, y - 12, 34, 24}, {grey, 1.5});
+        svg.text({x + 40, y}, digits(double(count), 0) + ": " + digits(100 * held / all, 0) + " %",
+                 {17, black, false, Anchor::start});
+        x += shown / double(pixels.size());
+    }
+    svg.text({left.x, y}, digits(rays / all, 1) + " samples for each pixel in the mean",
              {20, black, false, Anchor::start});
     return svg;
 }
