@@ -3,6 +3,7 @@
 #include "tests/support/effort.hpp"
 #include "tests/support/hex.hpp"
 #include "tests/support/matrices.hpp"
+#include "tests/support/random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,6 +61,23 @@ TEST(Polygon, its_normal_follows_the_order_of_its_corners) {
 }
 
 // Squares of such lengths are no numbers any more.
+// Slivers among them: there two edges say next to nothing in doubles.
+TEST(Polygon, its_normal_has_all_digits_of_a_double) {
+    for (std::uint64_t seed = 1; seed <= std::uint64_t(samples(2000)); ++seed) {
+        Random random(seed);
+        const Vec3d a = random.decade(-3, 6) * random.in_cube(1), along = random.in_cube(1);
+        const Vec3d b = a + along;
+        const Vec3d c = a + random.uniform(0, 1) * along + random.decade(-9, 0) * random.in_cube(1);
+        const Vec3d normal = Polygon<double>({a, b, c}).normal(a, 0);
+        const auto wide = [](const Vec3d& v) { return as<Float128>(v); };
+        const Vec3<Float128> exact = Polygon<Float128>({wide(a), wide(b), wide(c)}).normal(wide(a), 0);
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_LE(double(magnitude(Float128(normal[axis]) - exact[axis])),
+                      epsilon<double> / 2 * std::abs(normal[axis]) + 0x1p-56)
+                << "seed " << seed << " axis " << axis;
+    }
+}
+
 TEST(Polygon, is_hit_at_any_size) {
     for (const double size : {1e-165, 1e-155, 1e-100, 1e100, 1e153, 1e158}) {
         const Polygon<double> square({{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}});

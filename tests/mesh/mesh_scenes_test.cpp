@@ -1,5 +1,6 @@
 // Meshes in scenes: as operands, as surfaces that can't be, and alone.
 
+#include "core/bvh/bvh.hpp"
 #include "core/scene/mesh_file.hpp"
 #include "core/scene/read_toml.hpp"
 #include "tests/support/effort.hpp"
@@ -109,6 +110,21 @@ TEST_F(MeshScenes, file_is_in_memory_once) {
         return std::get<Mesh<double>>(bench.world.solids[i].shape).triangles();
     };
     EXPECT_EQ(&mesh(0), &mesh(1));
+}
+
+TEST_F(MeshScenes, alone_beside_what_has_no_end_needs_no_tree_but_its_own) {
+    write("cube.obj", cube_obj);
+    const std::string lone =
+        "[materials.m]\n[generics.a]\nshape=\"mesh\"\nfile=\"cube.obj\"\nmaterial=\"m\"\n"
+        "[generics.floor]\nshape=\"plane\"\nmaterial=\"m\"\n";
+    write("lone.toml", lone);
+    write("two.toml", lone + "[generics.ball]\nshape=\"sphere\"\nmaterial=\"m\"\n");
+    const Workbench lone_bench = open(path("lone.toml")), two_bench = open(path("two.toml"));
+    const Bvh<double> one(lone_bench.world), two(two_bench.world);
+    EXPECT_EQ(one.statistics().nodes, 0U);
+    EXPECT_EQ(one.statistics().apart, 2U);
+    EXPECT_GT(two.statistics().nodes, 0U);
+    EXPECT_EQ(two.statistics().apart, 1U);
 }
 
 TEST_F(MeshScenes, alone_is_framed_and_its_trace_names_the_triangle) {
