@@ -44,14 +44,22 @@ template <typename Element> void add_elements(Fnv1a& hash, const std::vector<Ele
 Scene with_chosen_effects(Scene scene, const std::optional<std::string>& text) {
     const EffectSet needed = needed_effects(effect_needs(scene, build(scene)));
     const EffectSet wanted = text ? parse_effects(*text, needed) : *scene.effects;
-    const std::string added = names_of(wanted, needed), missing = names_of(needed, wanted);
-    if (!added.empty())
-        scene.warnings.push_back(
-            fmt::format("{}: simulated though nothing in the scene calls for it: {}", scene.file, added));
-    if (!missing.empty())
-        scene.warnings.push_back(fmt::format(
-            "{}: called for by the scene, and not simulated, as it was asked: {}", scene.file, missing));
-    return with_effects(std::move(scene), needed, wanted);
+    scene = with_effects(std::move(scene), needed, wanted);
+    const EffectSet now = needed_effects(effect_needs(scene, build(scene)));
+    EffectSet simulated; // of those that are wanted
+    for (std::size_t i = 0; i < effect_names.size(); ++i) {
+        const auto effect = Effect(i);
+        simulated.set(effect, wanted.has(effect) && now.has(effect));
+        scene.taken_away.set(effect, needed.has(effect) && !wanted.has(effect));
+    }
+    const auto warn = [&](const char* what, const EffectSet& some, const EffectSet& others) {
+        if (const std::string names = names_of(some, others); !names.empty())
+            scene.warnings.push_back(fmt::format("{}: {}: {}", scene.file, what, names));
+    };
+    warn("simulated though nothing in the scene calls for it", simulated, needed);
+    warn("asked for, but there is nothing in the scene to add it to", wanted, united(simulated, needed));
+    warn("called for by the scene, and not simulated, as it was asked", needed, wanted);
+    return scene;
 }
 
 } // namespace

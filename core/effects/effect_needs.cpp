@@ -58,6 +58,7 @@ private:
     }
 
     void add(Effect effect, bool needed, std::string reason) {
+        if (!needed && scene_.taken_away.has(effect)) reason = "taken away, as it was asked";
         needs_.push_back({effect, needed, std::move(reason)});
     }
     [[nodiscard]] std::string at(Place place) const {
@@ -122,13 +123,13 @@ private:
             add(Effect::shadows, true, fmt::format("light '{}' casts them{}", light->name, at(light->place)));
     }
     void soft_shadows() {
-        const auto light = std::ranges::find_if(
-            scene_.lights, [](const SceneLight& l) { return l.area.samples > 1 && l.shadows; });
+        const auto light =
+            std::ranges::find_if(scene_.lights, [](const SceneLight& l) { return l.area.samples > 1; });
         if (light == scene_.lights.end())
-            add(Effect::soft_shadows, false, "no light has an area: one ray to each tells");
+            add(Effect::soft_shadows, false, "no light has an area: one point of each tells");
         else
             add(Effect::soft_shadows, true,
-                fmt::format("light '{}' has an area, asked by {} rays{}", light->name, light->area.samples,
+                fmt::format("light '{}' has an area, asked at {} points{}", light->name, light->area.samples,
                             at(light->place)));
     }
     void nested_media() {

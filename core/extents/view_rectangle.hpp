@@ -27,10 +27,11 @@ struct ViewRectangle {
 
 /// In float, rounded towards −∞, or +∞, by more than float rounds.
 [[nodiscard]] inline float below(double x) {
-    constexpr double largest = double(std::numeric_limits<float>::max());
-    return float(minimum(x - magnitude(x) * 8 * double(epsilon<float>), largest));
+    const float rounded = float(x - magnitude(x) * 8 * double(epsilon<float>));
+    // Beyond a float's range, and between its least number and 0, it is the rounding that decides.
+    return double(rounded) > x ? std::nextafter(rounded, -infinity<float>) : rounded;
 }
-[[nodiscard]] inline float above(double x) { return float(x + magnitude(x) * 8 * double(epsilon<float>)); }
+[[nodiscard]] inline float above(double x) { return -below(-x); }
 
 /// The slopes a / z between which a ball lies whose centre is (a, z) in the plane of the two: tangents through the eye.
 /// Its radius must be less than z.

@@ -26,6 +26,14 @@ public:
     /// @param unit ε of whoever tests them
     template <typename Reach, typename Visit>
     void along(const Ray<double>& ray, double unit, const Reach& reach, const Visit& visit) const {
+        // Where a matrix makes the ray's direction very long or short, floats would have no room for it.
+        if (const double size = largest_component(absolute(ray.direction));
+            (size < shortest || size > 1 / shortest) && size > 0 && is_finite(size)) {
+            const double unit_size = std::exp2(std::ilogb(size));
+            along({ray.origin, ray.direction / unit_size}, unit,
+                  std::function<double()>([&] { return reach() * unit_size; }), visit);
+            return;
+        }
         const GroupRay group_ray(ray, scale_);
         if (!group_ray.reliable()) {
             if (!may_meet_from_afar(ray)) return;
@@ -54,6 +62,7 @@ public:
     [[nodiscard]] double distance(const Vec3d& p) const;
 
 private:
+    static constexpr double shortest = limits::power_of_half<double>(40);
     // A leaf's number: its first place in groups_, and how many follow it.
     static constexpr std::uint32_t count_bits = 4, count_mask = 15;
 

@@ -22,7 +22,11 @@ struct Dispersion {
     /// Cauchy's formula through the index n_d with the Abbe number V = (n_d − 1) / (n_F − n_C).
     [[nodiscard]] static Dispersion by_abbe_number(double index, double abbe);
 
-    [[nodiscard]] bool spreads() const { return formula != Formula::constant; }
+    /// False, too, for a formula that gives all wavelengths one index.
+    [[nodiscard]] bool spreads() const {
+        const auto& c = coefficients;
+        return formula == Formula::cauchy ? c[1] != 0 || c[2] != 0 : formula == Formula::sellmeier;
+    }
     /// @param wavelength in a vacuum, nm
     /// @return n; of Sellmeier's formula NaN where it has no meaning
     [[nodiscard]] double index(double wavelength) const;

@@ -16,8 +16,9 @@ std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& path)
         throw InputError(path.string(), {}, "not a mesh: its name must end in .obj or .ply");
     MeshData data;
     {
-        const std::string text = read_file(path, mesh_limits::most_bytes);
-        data = path.extension() == ".obj" ? parse_obj(text, path.string()) : parse_ply(text, path.string());
+        std::string text = read_file(path, mesh_limits::most_bytes);
+        data = path.extension() == ".obj" ? parse_obj(std::move(text), path.string())
+                                          : parse_ply(text, path.string());
     }
     data.positions.shrink_to_fit();
     data.triangles.shrink_to_fit();

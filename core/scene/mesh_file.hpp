@@ -18,7 +18,7 @@ namespace rayscope {
 [[nodiscard]] std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& path);
 
 /// The same from a text in memory; `file` is what messages call it.
-[[nodiscard]] MeshData parse_obj(std::string_view text, std::string file);
+[[nodiscard]] MeshData parse_obj(std::string text, std::string file);
 [[nodiscard]] MeshData parse_ply(std::string_view text, std::string file);
 
 /// "has a hole at the edge from vertex 3 (0, 0, 1) to vertex 7 (…): …"; empty for a closed mesh. Why it is no solid.

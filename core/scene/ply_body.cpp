@@ -3,6 +3,8 @@
 #include "core/math/scalar.hpp"
 #include "core/scene/wording.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -40,6 +42,10 @@ double PlyDecimals::next(PlyType type) {
 }
 
 void PlyDecimals::fail(const std::string& message) const { throw InputError(file_, {line_, 0}, message); }
+
+void PlyBytes::fail(const std::string& message) const {
+    throw InputError(file_, {}, fmt::format("at byte {} (from 0): {}", size_ - rest_.size(), message));
+}
 
 template <typename Number> double PlyBytes::number() {
     if (rest_.size() < sizeof(Number)) fail("expected more numbers, found the end of the file");

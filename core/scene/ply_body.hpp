@@ -25,14 +25,19 @@ private:
 class PlyBytes {
 public:
     PlyBytes(std::string_view text, const PlyHeader& header, const std::string& file)
-        : rest_(text.substr(header.body)), file_(file), big_endian_(header.format == PlyFormat::big_endian) {}
+        : size_(text.size()),
+          rest_(text.substr(header.body)),
+          file_(file),
+          big_endian_(header.format == PlyFormat::big_endian) {}
 
     [[nodiscard]] double next(PlyType type);
-    [[noreturn]] void fail(const std::string& message) const { throw InputError(file_, {}, message); }
+    /// "file: at byte 123 (from 0): message"
+    [[noreturn]] void fail(const std::string& message) const;
 
 private:
     template <typename Number> [[nodiscard]] double number();
 
+    std::size_t size_; // of the file
     std::string_view rest_;
     const std::string& file_;
     bool big_endian_;

@@ -22,7 +22,7 @@ std::optional<std::string> polygon_problem(const std::vector<Vec3d>& vertices, d
     for (const Vec3d& vertex : vertices) shape.push_back((vertex - vertices[0]) / size);
     const Vec3d area = area_vector(shape);
     if (length(area) < decimals::least_area)
-        return "the polygon encloses no area: its vertices lie on one line";
+        return "the polygon encloses no area: its vertices lie on one line, or it crosses itself";
     const Vec3d normal = normalized(area);
     for (std::size_t i = 0; i < shape.size(); ++i)
         if (const double off = magnitude(dot(normal, shape[i])); off > flatness)

@@ -1,6 +1,7 @@
 #include "core/scene/mesh_builder.hpp"
 #include "core/scene/mesh_file.hpp"
 #include "core/scene/obj_check.hpp"
+#include "core/scene/obj_lines.hpp"
 
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
@@ -111,7 +112,8 @@ private:
 
 } // namespace
 
-MeshData parse_obj(std::string_view text, std::string file) {
+MeshData parse_obj(std::string text, std::string file) {
+    text = tidied_obj(std::move(text));
     check_obj(text, file);
     return ObjReader(text, std::move(file)).read();
 }

@@ -101,6 +101,7 @@ private:
             if (const auto at = element.find(name); at && element.properties[*at].count) list_column_ = at;
         if (!list_column_) body_.fail("expected the list 'vertex_indices' of the element 'face'");
         const std::size_t vertices = builder_.mesh.positions.size();
+        if (vertices == 0) body_.fail("expected the element 'vertex' to stand before the element 'face'");
         builder_.mesh.triangles.reserve(element.count);
         each(element, [&](std::size_t i) {
             if (list_.size() < 3)

@@ -95,7 +95,8 @@ struct Scene {
     double medium_speed = 1;  ///< of what fills the space between the solids
     Limits limits;
     std::optional<EffectSet>
-        effects; ///< those that the author wants, and no other; none: those that the scene calls for
+        effects;          ///< those that the author wants, and no other; none: those that the scene calls for
+    EffectSet taken_away; ///< of those that the scene calls for: a person wanted none of them
     std::optional<std::pair<int, int>> step_pixel;
     std::vector<SceneLight> lights;
     std::vector<SceneMaterial> materials;

@@ -26,9 +26,9 @@ std::string read_file(const std::filesystem::path& path, std::size_t most_bytes)
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) fail("there is no such file");
-    if (std::filesystem::is_directory(status)) fail("expected a scene file, this is a directory");
+    if (std::filesystem::is_directory(status)) fail("expected a file, this is a directory");
     if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
-        fail("expected a scene file, this is a device");
+        fail("expected a file, this is a device");
     std::ifstream stream(path, std::ios::binary);
     if (!stream) fail("the file can't be opened for reading");
 

@@ -17,8 +17,9 @@ enum class Heat : std::uint8_t {
     time,  ///< of the processor
     rays,
     samples,
+    // Means of R, G and B, and over the pixel's samples.
     dropped, ///< weight of the rays that the limits cut off
-    // Of the pixel's light, mean of R, G and B, what these rays find themselves. They add up to all of it.
+    // Of the pixel's light what these rays find themselves. They add up to all of it.
     direct, ///< eye rays
     reflected,
     refracted,
@@ -48,7 +49,10 @@ inline constexpr std::array<HeatName, 10> heat_names{
 /// Of a tracer's last trace, where it is_of_trace.
 template <typename Tracer> [[nodiscard]] float heat_of_trace(Heat heat, const Tracer& tracer) {
     if (heat == Heat::depth) return float(tracer.deepest());
-    if (heat == Heat::dropped) return float(tracer.dropped());
+    if (heat == Heat::dropped) {
+        const Colour& dropped = tracer.dropped();
+        return float((dropped.x + dropped.y + dropped.z) / 3);
+    }
     if constexpr (Tracer::all_effects)
         return float(tracer.brought().mean(RayKind(int(heat) - int(Heat::direct))));
     return 0;

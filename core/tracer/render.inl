@@ -60,7 +60,8 @@ public:
         });
         if (samples_ > 1 && result_.complete) smooth(seen);
         if (options_.heat == Heat::samples) result_.heat = samples_ > 1 ? result_.samples : even_map(1);
-        if (options_.maps_light() && samples_ > 1) // the mean, as of the colour
+        const bool is_mean = options_.maps_light() || options_.heat == Heat::dropped; // as the colour is
+        if (is_mean && samples_ > 1)
             std::ranges::transform(result_.heat.values, result_.samples.values, result_.heat.values.begin(),
                                    [](float sum, float samples) { return sum / std::max(samples, 1.0F); });
         for (const Work<T>& work : works_) result_.statistics.counters += work.counters;

@@ -11,7 +11,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::trace(const Ray<T>& ray, const R
                                                       std::uint32_t seed) {
     rays_left_ = world_.max_rays;
     deepest_ = 0;
-    dropped_ = 0;
+    dropped_ = Colour{0};
     const Leaving<T> nothing;
     Budget budget;
     if constexpr (all_effects) {
@@ -201,7 +201,7 @@ void Tracer<N, Stage, Recorder, Order, mask>::refuse(RayKind kind, Reason reason
     if (reason == Reason::weight) ++work_.counters.cut_by_weight;
     if (reason == Reason::ray_limit) ++work_.counters.cut_by_ray_limit;
     if (reason == Reason::depth || reason == Reason::weight || reason == Reason::ray_limit) {
-        dropped_ += largest_component(budget.weight * coefficient);
+        dropped_ += budget.weight * coefficient;
         if constexpr (Order::waits) order_.lose(budget.weight * coefficient);
     }
     if constexpr (Recorder::enabled)

@@ -59,8 +59,8 @@ public:
     [[nodiscard]] const Order& order() const { return order_; }
     /// Depth of the deepest ray of the last trace.
     [[nodiscard]] int deepest() const { return deepest_; }
-    /// Of the last trace: the weight of all rays that the limits cut off.
-    [[nodiscard]] double dropped() const { return dropped_; }
+    /// Of the last trace: the weight of all rays that the limits cut off, per colour.
+    [[nodiscard]] const Colour& dropped() const { return dropped_; }
     /// Asks for first_seen() of the traces to come; with all effects alone.
     void keep_first_seen() { adds_ = true; }
     /// Of the last trace, where it was asked for or the scene calls for added effects.
@@ -186,7 +186,7 @@ private:
     [[no_unique_address]] Order order_;
     RecursionLimits limits_;
     int rays_left_ = 0, deepest_ = 0;
-    double dropped_ = 0;
+    Colour dropped_{0};
     [[no_unique_address]] Added<bool> adds_{}; // an effect, what is first seen, or who brings light
     [[no_unique_address]] Added<bool> keeps_brought_{};
     [[no_unique_address]] Added<FirstSeen> seen_;

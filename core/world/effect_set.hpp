@@ -54,6 +54,10 @@ public:
         return *this;
     }
     [[nodiscard]] bool operator==(const EffectSet&) const = default;
+    [[nodiscard]] friend EffectSet united(EffectSet a, const EffectSet& b) {
+        a.bits_ |= b.bits_;
+        return a;
+    }
 
 private:
     std::bitset<effect_names.size()> bits_;

@@ -86,6 +86,29 @@ TEST(Samples, cover_as_much_of_an_edge_pixel_as_the_ball_does) {
         }
 }
 
+TEST(Samples, share_what_a_map_shows_of_their_light_as_they_share_the_light) {
+    SceneBuilder b;
+    b.scene().camera.width = b.scene().camera.height = 8;
+    b.scene().background = Colour{1};
+    b.scene().limits.max_depth = 2;
+    SceneMaterial glass = SceneBuilder::dark();
+    glass.mirror = Mirror::fresnel;
+    glass.transmission = Colour{1};
+    glass.speed = 1 / 1.5;
+    glass.dispersion = Dispersion::by_abbe_number(1.5, 30);
+    b.generic(Sphere<double>{}, Mat4d{1}, b.material(glass), "ball");
+    const Workbench bench = b.open();
+    RenderOptions options;
+    options.heat = Heat::dropped;
+    options.samples = 16;
+    const RenderResult result = render(bench, options);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            const Colour colour = result.image.at(x, y);
+            EXPECT_NEAR(double(result.heat.at(x, y)) + (colour.x + colour.y + colour.z) / 3, 1, 1e-6);
+        }
+}
+
 TEST(Samples, have_their_mean_in_the_middle_of_the_pixel) {
     const EyeRays eye_rays(Camera{}, 64, 64);
     for (const int count : {1, 4, 8, 16, 64}) {

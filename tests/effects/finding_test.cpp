@@ -166,6 +166,10 @@ material = "glass"
                 testing::Contains(HasSubstr("not simulated, as it was asked: shadows")));
     EXPECT_THAT(bench.scene.warnings,
                 testing::Contains(HasSubstr("nothing in the scene calls for it: fresnel")));
+    const auto needs = effect_needs(bench.scene, bench.world);
+    EXPECT_EQ(needs[std::size_t(Effect::shadows)].reason, "taken away, as it was asked");
+    EXPECT_THAT(open(path, "+dispersion,-refraction").scene.warnings,
+                testing::Contains(HasSubstr("there is nothing in the scene to add it to: dispersion")));
     // The command's word is the last one.
     EXPECT_TRUE(open(path, "auto").scene.lights[0].shadows);
 }

@@ -50,6 +50,21 @@ TEST(Obj, corners_may_be_counted_from_the_last_and_have_normals) {
     EXPECT_EQ(data.normals[data.normals_of(1)[0]], Vec3<float>(0)); // flat
 }
 
+TEST(Obj, lines_may_be_continued_and_end_in_comments) {
+    const MeshData data = parse_obj(
+        "\xEF\xBB\xBFv 0 0 0 # first\nv 1 0 \\\r\n 0\nv 0 1 0\ng a#b\nf 1 \\\n 2 3 # all\n", "m.obj");
+    ASSERT_EQ(data.positions.size(), 3U);
+    EXPECT_EQ(data.positions[1], (Vec3d{1, 0, 0}));
+    ASSERT_EQ(data.triangles.size(), 1U);
+    EXPECT_EQ(data.triangles[0], (MeshData::Corners{0, 1, 2}));
+    try {
+        (void)parse_obj("v 0 0 \\\n0\nv 1 0 0\nf 1 2 3 # too few\n", "m.obj");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "m.obj:4: there is no vertex 3: 2 stand above");
+    }
+}
+
 TEST(Obj, errors_name_line_and_expectation) {
     EXPECT_EQ(obj_error("v 0 0 0\nv 1 x 0\n"), "m.obj:2:5: expected a number, found 'x'");
     EXPECT_EQ(obj_error("v 0 0\n"), "m.obj:1:1: expected 3 to 7 numbers, found 2");
@@ -157,7 +172,11 @@ TEST(Ply, errors_name_line_and_expectation) {
         "m.ply:12: expected faces: 'element face COUNT' in the header (a cloud of points has no surface)");
     const std::string whole = ply_header("binary_little_endian") + binary_body(false);
     EXPECT_EQ(ply_error(whole.substr(0, whole.size() - 1)),
-              "m.ply: expected more numbers, found the end of the file");
+              "m.ply: at byte 315 (from 0): expected more numbers, found the end of the file");
+    EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
+                        "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                        "end_header\n3 0 0 0\n0 0 0\n"),
+              "m.ply:10: expected the element 'vertex' to stand before the element 'face'");
 }
 
 // Whatever a file is damaged to, it is read or refused.

@@ -112,7 +112,8 @@ TEST(SceneNff, OddObjectsAreLeftOutWithAWarning) {
     const std::vector<std::string> expected{
         "s.nff:9:1: a sphere of radius 0 is left out",
         "s.nff:10:1: a polygon needs at least 3 vertices, found 2; it is left out",
-        "s.nff:11:1: the polygon encloses no area: its vertices lie on one line; it is left out",
+        "s.nff:11:1: the polygon encloses no area: its vertices lie on one line, or it crosses itself; it is "
+        "left out",
         "s.nff:12:1: a cone without length or radius is left out",
         "s.nff:13:1: a cone without length or radius is left out",
         "s.nff:14:3: a sphere of radius 1e-200 is left out",

@@ -150,8 +150,8 @@ TEST(SceneErrors, Files) {
         }
     };
     EXPECT_EQ(error_of_file("no/such.toml"), "no/such.toml: there is no such file");
-    EXPECT_EQ(error_of_file("."), ".: expected a scene file, this is a directory");
-    EXPECT_EQ(error_of_file("/dev/null"), "/dev/null: expected a scene file, this is a device");
+    EXPECT_EQ(error_of_file("."), ".: expected a file, this is a directory");
+    EXPECT_EQ(error_of_file("/dev/null"), "/dev/null: expected a file, this is a device");
 }
 
 } // namespace

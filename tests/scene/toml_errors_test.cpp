@@ -127,7 +127,7 @@ const Case geometry[] = {
     {"PolygonOfTwo", "[generics.p]\nshape = \"polygon\"\nvertices = [[0,0,0],[1,0,0]]\n",
      "s.toml:3:12: a polygon needs at least 3 vertices, found 2"},
     {"PolygonOnALine", "[generics.p]\nshape = \"polygon\"\nvertices = [[0,0,0],[1,1,1],[3,3,3]]\n",
-     "s.toml:3:12: the polygon encloses no area: its vertices lie on one line"},
+     "s.toml:3:12: the polygon encloses no area: its vertices lie on one line, or it crosses itself"},
     {"PolygonIsAPoint", "[generics.p]\nshape = \"polygon\"\nvertices = [[1,0,0],[1,0,0],[1,0,0]]\n",
      "s.toml:3:12: the vertices of the polygon are one point"},
     {"PolygonNotFlat", "[generics.p]\nshape = \"polygon\"\nvertices = [[0,0,0],[1,0,0],[1,1,0.1],[0,1,0]]\n",

@@ -76,6 +76,8 @@ int explain(const ExplainOptions& options) {
             return object_title(bench.scene, bench.scene.drawn[std::size_t(object)]);
         };
         add_ledger(page, ledger(bench, size.width, size.height), name, Numbers(3));
+        if (bench.scene.camera.samples > 1)
+            page.line("Counted of one sample in each pixel, the one in its middle.", 2);
         add_light_off(page, light_off(bench, path, size), Numbers(3));
     }
     if (options.cost) {
