@@ -13,9 +13,7 @@ constexpr double least_cosine = 0.95;
 // Two neighbours that are farther apart make a visible step.
 constexpr int largest_step = 3;
 
-using Bytes = std::array<std::uint8_t, 3>;
-
-int steps_between(const Bytes& a, const Bytes& b) {
+int steps_between(const ShownImage::Bytes& a, const ShownImage::Bytes& b) {
     int most = 0;
     for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(int(a[i]) - int(b[i])));
     return most;
@@ -25,38 +23,15 @@ bool is_same_surface(const FirstSeen& a, const FirstSeen& b) {
     return a.object == b.object && (a.object == none || dot(a.normal, b.normal) > least_cosine);
 }
 
-// An image as its file shows it.
-class ByteImage {
-public:
-    explicit ByteImage(const Image& image) : width_(image.width), height_(image.height) {
-        bytes_.reserve(std::size_t(width_) * std::size_t(height_));
-        for (int y = 0; y < height_; ++y)
-            for (int x = 0; x < width_; ++x) bytes_.push_back(srgb_bytes(image.at(x, y)));
-    }
-
-    [[nodiscard]] std::size_t size() const { return bytes_.size(); }
-    [[nodiscard]] const Bytes& operator[](std::size_t pixel) const { return bytes_[pixel]; }
-    /// Calls pair(pixel, other) once for each two of the pixels, row by row, that touch.
-    template <typename Pair> void each_pair(const Pair& pair) const {
-        for (int y = 0; y < height_; ++y)
-            for (int x = 0; x < width_; ++x) {
-                if (x + 1 < width_) pair(place(x, y), place(x + 1, y));
-                if (y + 1 == height_) continue;
-                for (int other = std::max(x - 1, 0); other <= std::min(x + 1, width_ - 1); ++other)
-                    pair(place(x, y), place(other, y + 1));
-            }
-    }
-
-private:
-    [[nodiscard]] std::size_t place(int x, int y) const {
-        return std::size_t(y) * std::size_t(width_) + std::size_t(x);
-    }
-
-    int width_, height_;
-    std::vector<Bytes> bytes_;
-};
-
 } // namespace
+
+ShownImage::ShownImage(const Image& image) : width_(image.width), height_(image.height) {
+    bytes_.reserve(std::size_t(width_) * std::size_t(height_));
+    for (int y = 0; y < height_; ++y)
+        for (int x = 0; x < width_; ++x) bytes_.push_back(srgb_bytes(image.at(x, y)));
+}
+
+void ShownImage::set(int x, int y, const Colour& colour) { bytes_[place(x, y)] = srgb_bytes(colour); }
 
 ColourSpread::ColourSpread(const Colour& first) : low_(srgb_bytes(first)), high_(low_) {}
 
@@ -70,11 +45,10 @@ void ColourSpread::add(const Colour& colour) {
 
 int ColourSpread::steps() const { return steps_between(low_, high_); }
 
-Contrasts contrasts(const Image& image, const std::vector<FirstSeen>& seen) {
-    const ByteImage bytes(image);
-    Contrasts contrasts(bytes.size());
-    bytes.each_pair([&](std::size_t a, std::size_t b) {
-        const int steps = steps_between(bytes[a], bytes[b]);
+Contrasts contrasts(const ShownImage& image, const std::vector<FirstSeen>& seen) {
+    Contrasts contrasts(image.size());
+    image.each_pair([&](std::size_t a, std::size_t b) {
+        const int steps = steps_between(image[a], image[b]);
         if (steps <= largest_step && is_same_surface(seen[a], seen[b])) return;
         for (const std::size_t pixel : {a, b})
             contrasts[pixel] = std::max(contrasts[pixel], std::uint8_t(std::max(steps, 1)));
@@ -82,15 +56,14 @@ Contrasts contrasts(const Image& image, const std::vector<FirstSeen>& seen) {
     return contrasts;
 }
 
-Contrasts contrasts_beside(const Image& image, const Map& samples, const Contrasts& refined) {
-    const ByteImage bytes(image);
+Contrasts contrasts_beside(const ShownImage& image, const Map& samples, const Contrasts& refined) {
     Contrasts contrasts;
-    bytes.each_pair([&](std::size_t a, std::size_t b) {
+    image.each_pair([&](std::size_t a, std::size_t b) {
         if ((refined[a] == 0) == (refined[b] == 0)) return;
         const std::size_t other = refined[a] == 0 ? a : b;
-        const int steps = steps_between(bytes[a], bytes[b]);
+        const int steps = steps_between(image[a], image[b]);
         if (samples.values[other] > 1 || steps <= largest_step) return;
-        contrasts.resize(bytes.size());
+        contrasts.resize(image.size());
         contrasts[other] = std::max(contrasts[other], std::uint8_t(steps));
     });
     return contrasts;

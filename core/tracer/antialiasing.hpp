@@ -5,22 +5,55 @@
 #include "core/image/map.hpp"
 #include "core/tracer/tracer.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace rayscope {
+
+/// An image as its file shows it.
+class ShownImage {
+public:
+    using Bytes = std::array<std::uint8_t, 3>;
+
+    explicit ShownImage(const Image& image);
+
+    /// Several threads may set pixels of their own.
+    void set(int x, int y, const Colour& colour);
+    [[nodiscard]] std::size_t size() const { return bytes_.size(); }
+    [[nodiscard]] const Bytes& operator[](std::size_t pixel) const { return bytes_[pixel]; }
+    /// Calls pair(pixel, other) once for each two of the pixels, row by row, that touch.
+    template <typename Pair> void each_pair(const Pair& pair) const {
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x) {
+                if (x + 1 < width_) pair(place(x, y), place(x + 1, y));
+                if (y + 1 == height_) continue;
+                for (int other = std::max(x - 1, 0); other <= std::min(x + 1, width_ - 1); ++other)
+                    pair(place(x, y), place(other, y + 1));
+            }
+    }
+
+private:
+    [[nodiscard]] std::size_t place(int x, int y) const {
+        return std::size_t(y) * std::size_t(width_) + std::size_t(x);
+    }
+
+    int width_, height_;
+    std::vector<Bytes> bytes_;
+};
 
 /// For each pixel, row by row: 0 where one sample is enough; else how far its colour is from its neighbours', in steps of an
 /// image file's bytes, or 1 where only another object or another direction of the surface is seen beside it.
 using Contrasts = std::vector<std::uint8_t>;
 
 /// @param seen by the ray through each pixel's middle
-[[nodiscard]] Contrasts contrasts(const Image& image, const std::vector<FirstSeen>& seen);
+[[nodiscard]] Contrasts contrasts(const ShownImage& image, const std::vector<FirstSeen>& seen);
 
 /// Of pixels that have one sample still, beside those that have got more just now: what these found, a sliver of an edge or
 /// of a highlight, may go on where no ray through a middle meets it.
 /// @param refined where it is not 0, a pixel has got more
 /// @return nothing where all are even
-[[nodiscard]] Contrasts contrasts_beside(const Image& image, const Map& samples, const Contrasts& refined);
+[[nodiscard]] Contrasts contrasts_beside(const ShownImage& image, const Map& samples,
+                                         const Contrasts& refined);
 
 /// The least and the largest of some colours, as an image file shows them.
 class ColourSpread {
@@ -32,7 +65,7 @@ public:
     [[nodiscard]] int steps() const;
 
 private:
-    std::array<std::uint8_t, 3> low_, high_;
+    ShownImage::Bytes low_, high_;
 };
 
 /// A pixel's colour and how many samples it is the mean of.

@@ -82,8 +82,8 @@ private:
 
     void smooth(const std::vector<FirstSeen>& seen) {
         result_.samples = even_map(1);
-        Contrasts uneven =
-            options_.even_samples ? Contrasts(seen.size(), 255) : contrasts(result_.image, seen);
+        ShownImage shown(result_.image);
+        Contrasts uneven = options_.even_samples ? Contrasts(seen.size(), 255) : contrasts(shown, seen);
         RenderOptions silent = options_;
         silent.progress = nullptr;
         for (int round = 0; round < most_rounds && !uneven.empty() && result_.complete; ++round) {
@@ -92,9 +92,10 @@ private:
                 const RefinedPixel pixel = refine(result_.image.at(x, y), uneven[index(x, y)], samples_,
                                                   [&](int sample) { return trace(tracer, {x, y, sample}); });
                 result_.image.set(x, y, pixel.colour);
+                shown.set(x, y, pixel.colour);
                 result_.samples.at(x, y) = float(pixel.samples);
             });
-            uneven = contrasts_beside(result_.image, result_.samples, uneven);
+            uneven = contrasts_beside(shown, result_.samples, uneven);
         }
     }
 
