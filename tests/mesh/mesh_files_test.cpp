@@ -57,6 +57,8 @@ TEST(Obj, lines_may_be_continued_and_end_in_comments) {
     EXPECT_EQ(data.positions[1], (Vec3d{1, 0, 0}));
     ASSERT_EQ(data.triangles.size(), 1U);
     EXPECT_EQ(data.triangles[0], (MeshData::Corners{0, 1, 2}));
+    const MeshData old_mac = parse_obj("# C:\\models\\\rv 0 0 \\\r 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", "m.obj");
+    EXPECT_EQ(old_mac.positions.size(), 3U); // the comment's backslash continues nothing
     try {
         (void)parse_obj("v 0 0 \\\n0\nv 1 0 0\nf 1 2 3 # too few\n", "m.obj");
         FAIL();
