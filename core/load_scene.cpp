@@ -45,7 +45,9 @@ Scene with_chosen_effects(Scene scene, const std::optional<std::string>& text) {
     const EffectSet needed = needed_effects(effect_needs(scene, build(scene)));
     const EffectSet wanted = text ? parse_effects(*text, needed) : *scene.effects;
     scene = with_effects(std::move(scene), needed, wanted);
-    const EffectSet now = needed_effects(effect_needs(scene, build(scene)));
+    // Where nothing is added there is nothing to ask for again.
+    const EffectSet now =
+        names_of(wanted, needed).empty() ? needed : needed_effects(effect_needs(scene, build(scene)));
     EffectSet simulated; // of those that are wanted
     for (std::size_t i = 0; i < effect_names.size(); ++i) {
         const auto effect = Effect(i);

@@ -60,7 +60,6 @@ TEST(Polygon, its_normal_follows_the_order_of_its_corners) {
     EXPECT_EQ(area_vector<double>({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), Vec3d{0});
 }
 
-// Squares of such lengths are no numbers any more.
 // Slivers among them: there two edges say next to nothing in doubles.
 TEST(Polygon, its_normal_has_all_digits_of_a_double) {
     for (std::uint64_t seed = 1; seed <= std::uint64_t(samples(2000)); ++seed) {
@@ -78,6 +77,7 @@ TEST(Polygon, its_normal_has_all_digits_of_a_double) {
     }
 }
 
+// Squares of such lengths are no numbers any more.
 TEST(Polygon, is_hit_at_any_size) {
     for (const double size : {1e-165, 1e-155, 1e-100, 1e100, 1e153, 1e158}) {
         const Polygon<double> square({{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}});
