@@ -21,12 +21,13 @@ using Mat4d = Mat4<double>;
 using Colour = Vec3d;
 
 /// a·b, fused from x to z: the same bits in every build.
-template <Scalar T> [[nodiscard]] inline T dot(const Vec3<T>& a, const Vec3<T>& b) {
+template <Scalar T> [[nodiscard, gnu::always_inline]] inline T dot(const Vec3<T>& a, const Vec3<T>& b) {
     return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x));
 }
 
 /// a × b, each component within 2 ulp.
-template <Scalar T> [[nodiscard]] inline Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+template <Scalar T>
+[[nodiscard, gnu::always_inline]] inline Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
     return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
             difference_of_products(a.x, b.y, a.y, b.x)};
 }

@@ -33,7 +33,7 @@ template <Scalar T> struct LeavingSurface {
     bool starts_inside; ///< the side of the object on which the ray starts
     bool crosses;       ///< it leads through the surface at once: the crossing at t = 0 counts
     T bound;            ///< how far the start may lie from the surface: world length
-    T beside = T(0);    ///< how far it may lie from where the surface was met: not less, at a graze much more
+    T beside;           ///< how far it may lie from where the surface was met: not less, at a graze much more
 
     /// The face, if it is one of this solid's.
     [[nodiscard]] int face_of(std::uint32_t solid) const {
