@@ -2,6 +2,7 @@
 
 #include "visualizer/cli/commands.hpp"
 #include "visualizer/cli/failure.hpp"
+#include "visualizer/cli/large_pages.hpp"
 #include "visualizer/cli/view_command.hpp"
 
 #include <cerrno>
@@ -31,6 +32,7 @@ int run(const cli::CasesOptions& options) { return cli::cases(options); }
 } // namespace
 
 int main(int count, char** arguments) {
+    cli::use_large_pages();
     std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is a failed write, told like any other
     if (count > 1 && std::strcmp(arguments[1], "view") == 0) return cli::view(count, arguments);
     const int code = cli::guarded([&] {
