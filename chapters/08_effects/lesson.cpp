@@ -90,7 +90,7 @@ void energy() {
     for (const auto& [what, dropped] : book.dropped)
         fmt::print("  not followed, {:<9} for its {}: a weight of {:.4f} of 3072 pixels\n",
                    rays[std::size_t(what.first)], what.second == Reason::depth ? "depth" : "weight",
-                   dropped.weight);
+                   largest_component(dropped.weight));
 }
 
 } // namespace

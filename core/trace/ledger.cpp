@@ -21,7 +21,9 @@ public:
         if (!(e.weight > 0) || e.reason == Reason::total_internal_reflection) return;
         DroppedRays& dropped = ledger_.dropped[{e.kind, e.reason}];
         ++dropped.count;
-        dropped.weight += e.weight;
+        const Colour whole = start_.weight * passed_;
+        dropped.weight +=
+            whole * (e.weight / largest_component(whole)); // the event tells the largest component
     }
     void operator()(const auto& /*event*/) {}
 

@@ -21,7 +21,7 @@ struct LightSource {
 /// Rays that were not followed. Their weights say how much light can be missing: at most so many times the brightest.
 struct DroppedRays {
     int count = 0;
-    double weight = 0; ///< sum of the largest component of each
+    Colour weight{0}; ///< sum of theirs, per colour: rays of single wavelengths share theirs out
 };
 
 struct Ledger {

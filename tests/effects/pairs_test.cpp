@@ -100,6 +100,19 @@ TEST(Ledger, adds_up_to_the_colour_of_the_sample) {
     }
 }
 
+TEST(Ledger, of_dropped_rays_of_single_wavelengths_weighs_what_they_share) {
+    SceneBuilder b;
+    const auto glass = b.clear(0, 0.5, 1.5);
+    b.scene().materials[glass].dispersion = Dispersion::by_abbe_number(1.5, 30);
+    b.generic(Sphere<double>{}, Mat4d{1}, glass, "ball");
+    b.scene().limits.max_depth = 1;
+    b.scene().camera.width = b.scene().camera.height = 16;
+    const Ledger ledger = ledger_of(trace_pixel(b.open(), 9, 8).rays);
+    const DroppedRays& dropped = ledger.dropped.at({RayKind::refracted, Reason::depth});
+    EXPECT_EQ(dropped.count, b.scene().limits.wavelengths);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(dropped.weight[c], 0.25, 1e-12);
+}
+
 TEST(Trace, of_a_sample_is_the_images) {
     for (std::size_t i = 0; i < effect_names.size(); ++i) {
         Scene scene = still_life();

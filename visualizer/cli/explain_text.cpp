@@ -44,8 +44,9 @@ void add_effects(Page& page, const Workbench& bench) {
     page.item("limits", fmt::format("max_depth {}, min_weight {:.6g}, max_rays {} for each sample",
                                     limits.max_depth, limits.min_weight, limits.max_rays));
     if (needed_effects(needs).has(Effect::dispersion))
-        page.item("spectrum", fmt::format("{} wavelengths behind the first boundary that spreads colours",
-                                          limits.wavelengths));
+        page.item("spectrum",
+                  fmt::format("{} {} behind the first boundary that spreads colours", limits.wavelengths,
+                              limits.wavelengths == 1 ? "wavelength" : "wavelengths"));
 }
 
 void add_rays(Page& page, const RenderResult& result) {
@@ -119,7 +120,7 @@ void add_ledger(Page& page, const Ledger& ledger, const std::function<std::strin
         any = true;
         page.item(name_of(key.first), fmt::format("{} {} {}, with a weight of {} of a pixel", dropped.count,
                                                   dropped.count == 1 ? "ray" : "rays", limit_text(key.second),
-                                                  number(dropped.weight)));
+                                                  number(largest_component(dropped.weight))));
     }
     if (!any) page.line("nothing: every ray with a weight was followed", 2);
 }

@@ -122,7 +122,7 @@ Svg energy_ledger(const Subject& subject) {
     svg.text({lost.right() + 12, y}, per_cent(swallowed) + ", in glass; counted as it would have arrived",
              {20, black, true, Anchor::start});
     y += step;
-    double dropped = 0;
+    Colour dropped{0};
     int count = 0;
     for (const auto& [how, rays] : book.dropped)
         if (how.second == Reason::depth || how.second == Reason::weight) {
@@ -131,8 +131,8 @@ Svg energy_ledger(const Subject& subject) {
         }
     svg.text({bars_begin - 14, y}, "dropped", {20, black, false, Anchor::end});
     svg.text({bars_begin, y},
-             std::to_string(count) + " rays: together the weight of " + digits(dropped, 1) + " of " +
-                 std::to_string(width * lines) + " pixels",
+             std::to_string(count) + " rays: together the weight of " +
+                 digits(largest_component(dropped), 1) + " of " + std::to_string(width * lines) + " pixels",
              {20, black, true, Anchor::start});
     return svg;
 }
