@@ -145,6 +145,7 @@ bool add_effect(Effect effect, Scene& scene) {
         if (used.is_object && add_to(effect, scene.materials[used.material], view_length(scene)))
             added = true;
     for (SceneLight& light : scene.lights) {
+        if (!light.shines()) continue;
         if (effect == Effect::shadows) added = light.shadows = true;
         if (effect == Effect::soft_shadows && give_area(light, scene)) added = true;
     }

@@ -82,17 +82,24 @@ private:
             fmt::format("material '{}' of '{}' {}{}", material.name, title(used->object), does,
                         at(material.place)));
     }
+    [[nodiscard]] bool any_light_shines() const {
+        return std::ranges::any_of(scene_.lights, &SceneLight::shines);
+    }
+    [[nodiscard]] std::string no_light() const {
+        return scene_.lights.empty() ? "there is no light" : "no light shines: their colours are 0";
+    }
     void of_material(Effect effect, const char* does, const char* otherwise, const Lit& asks) {
         const UsedMaterial* used = first(false, asks);
         const bool from_lights = effect == Effect::diffuse || effect == Effect::specular;
-        if (from_lights && used != nullptr && scene_.lights.empty())
-            add(effect, false, "there is no light");
+        if (from_lights && used != nullptr && !any_light_shines())
+            add(effect, false, no_light());
         else
             from(effect, used, does, otherwise);
     }
     void of_object(Effect effect, const char* does, const char* otherwise, const Lit& asks) {
         const UsedMaterial* used = first(true, asks);
-        const bool recursive = effect == Effect::reflection || effect == Effect::refraction;
+        const bool recursive =
+            effect == Effect::reflection || effect == Effect::refraction || effect == Effect::dispersion;
         if (recursive && used != nullptr && scene_.limits.max_depth == 0)
             add(effect, false, "max_depth is 0: no ray follows the eye's");
         else
@@ -112,9 +119,10 @@ private:
             return largest_of(m.diffuse, m.patterns.diffuse) > 0 ||
                    largest_of(m.specular, m.patterns.specular) > 0;
         };
-        const auto light = std::ranges::find_if(scene_.lights, &SceneLight::shadows);
-        if (scene_.lights.empty())
-            add(Effect::shadows, false, "there is no light");
+        const auto light =
+            std::ranges::find_if(scene_.lights, [](const SceneLight& l) { return l.shines() && l.shadows; });
+        if (!any_light_shines())
+            add(Effect::shadows, false, no_light());
         else if (light == scene_.lights.end())
             add(Effect::shadows, false, "no light casts them: shadows = false");
         else if (first(false, local) == nullptr)
@@ -123,8 +131,8 @@ private:
             add(Effect::shadows, true, fmt::format("light '{}' casts them{}", light->name, at(light->place)));
     }
     void soft_shadows() {
-        const auto light =
-            std::ranges::find_if(scene_.lights, [](const SceneLight& l) { return l.area.samples > 1; });
+        const auto light = std::ranges::find_if(
+            scene_.lights, [](const SceneLight& l) { return l.shines() && l.area.samples > 1; });
         if (light == scene_.lights.end())
             add(Effect::soft_shadows, false, "no light has an area: one point of each tells");
         else

@@ -90,8 +90,9 @@ private:
     void copy_settings() {
         for (const SceneMaterial& m : scene_.materials) world_.materials.push_back(material_of(m));
         for (const SceneLight& l : scene_.lights) {
-            world_.lights.push_back({l.directional, l.position, l.colour, l.shadows, l.area});
-            if (l.area.samples > 1) world_.effects = EffectMask::all;
+            const LightArea area = l.shines() ? l.area : LightArea{};
+            world_.lights.push_back({l.directional, l.position, l.colour, l.shines() && l.shadows, area});
+            if (area.samples > 1) world_.effects = EffectMask::all;
         }
         world_.background = scene_.background;
         world_.ambient = scene_.ambient;

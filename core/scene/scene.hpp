@@ -23,6 +23,9 @@ struct SceneLight {
     bool shadows = true; ///< objects cast them
     LightArea area;      ///< of a light that is no point
     Place place;
+
+    /// What brings no light needs no shadow ray, and one point of it tells.
+    [[nodiscard]] bool shines() const { return largest_component(colour) > 0; }
 };
 
 struct SceneMaterial {

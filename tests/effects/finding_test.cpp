@@ -89,6 +89,21 @@ material = "matt"
     EXPECT_THAT(need(needs, Effect::refraction).reason, HasSubstr("no drawn object transmits"));
 }
 
+TEST(Needs, of_lights_that_are_black_are_none) {
+    std::string text = everything;
+    text.insert(text.find("[materials.flint]"), "colour = 0\n");
+    text.insert(0, "[limits]\nmax_depth = 0\n");
+    const Workbench bench = make_workbench(parse_toml(text, "scene.toml"));
+    const auto needs = effect_needs(bench.scene, bench.world);
+    for (const Effect effect : {Effect::diffuse, Effect::specular, Effect::shadows})
+        EXPECT_THAT(need(needs, effect).reason, HasSubstr("no light shines"));
+    EXPECT_FALSE(need(needs, Effect::soft_shadows).needed);
+    EXPECT_THAT(need(needs, Effect::dispersion).reason, HasSubstr("max_depth is 0"));
+    RenderOptions options;
+    options.width = options.height = 16;
+    EXPECT_EQ(render(bench, options).statistics.counters.rays[std::size_t(RayKind::shadow)], 0U);
+}
+
 TEST(Needs, a_wall_inside_a_compound_is_no_medium) {
     const auto needs = needs_of(R"(
 [materials.stone]
