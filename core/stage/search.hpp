@@ -51,7 +51,8 @@ public:
           nearest_(ray),
           reach_(range.max) {
         // What the ray leaves starts with a crossing at t = 0 that no box knows of.
-        for (const LeavingSurface<T>& surface : leaving) test(surface.object, &surface);
+        for (const LeavingSurface<T>& surface : leaving)
+            if (!leaves_for_good(surface)) test(surface.object, &surface);
     }
 
     /// @return true where no other object can change the answer
@@ -73,6 +74,10 @@ public:
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
 
 private:
+    // Most rays do: asked here, it spares two calls. A record tells of the test all the same.
+    [[nodiscard]] bool leaves_for_good(const LeavingSurface<T>& surface) {
+        return !recording && left_for_good(world_, ray_, surface, work_);
+    }
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled)
             record_object(world_, object, ray_, range_, start, work_.tests_parts, recorder_);
@@ -116,7 +121,7 @@ public:
           recorder_(recorder) {
         work.blockers.clear();
         for (const LeavingSurface<T>& surface : leaving)
-            if (!blocked_) test(surface.object, &surface);
+            if (!blocked_ && !leaves_for_good(surface)) test(surface.object, &surface);
     }
 
     bool test(std::uint32_t object) {
@@ -146,6 +151,10 @@ public:
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
 
 private:
+    // Most rays do: asked here, it spares two calls. A record tells of the test all the same.
+    [[nodiscard]] bool leaves_for_good(const LeavingSurface<T>& surface) {
+        return !recording && left_for_good(world_, ray_, surface, work_);
+    }
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled)
             record_object(world_, object, ray_, range_, start, work_.tests_parts, recorder_);
