@@ -50,9 +50,10 @@ public:
           recorder_(recorder),
           nearest_(ray),
           reach_(range.max) {
-        // What the ray leaves starts with a crossing at t = 0 that no box knows of.
+        // What the ray leaves starts with a crossing at t = 0 that no box knows of. Most rays leave it for good: asked
+        // here, that spares two calls; a record tells of the test all the same.
         for (const LeavingSurface<T>& surface : leaving)
-            if (!leaves_for_good(surface)) test(surface.object, &surface);
+            if (recording || !left_for_good(world, ray, surface, work)) test(surface.object, &surface);
     }
 
     /// @return true where no other object can change the answer
@@ -74,10 +75,6 @@ public:
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
 
 private:
-    // Most rays do: asked here, it spares two calls. A record tells of the test all the same.
-    [[nodiscard]] bool leaves_for_good(const LeavingSurface<T>& surface) {
-        return !recording && left_for_good(world_, ray_, surface, work_);
-    }
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled)
             record_object(world_, object, ray_, range_, start, work_.tests_parts, recorder_);
@@ -121,7 +118,8 @@ public:
           recorder_(recorder) {
         work.blockers.clear();
         for (const LeavingSurface<T>& surface : leaving)
-            if (!blocked_ && !leaves_for_good(surface)) test(surface.object, &surface);
+            if (!blocked_ && (recording || !left_for_good(world, ray, surface, work)))
+                test(surface.object, &surface);
     }
 
     bool test(std::uint32_t object) {
@@ -151,10 +149,6 @@ public:
     [[nodiscard]] Recorder& recorder() const { return recorder_; }
 
 private:
-    // Most rays do: asked here, it spares two calls. A record tells of the test all the same.
-    [[nodiscard]] bool leaves_for_good(const LeavingSurface<T>& surface) {
-        return !recording && left_for_good(world_, ray_, surface, work_);
-    }
     [[gnu::noinline]] void test(std::uint32_t object, const LeavingSurface<T>* start) {
         if constexpr (Recorder::enabled)
             record_object(world_, object, ray_, range_, start, work_.tests_parts, recorder_);

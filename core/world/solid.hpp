@@ -77,7 +77,7 @@ template <Numbers N> struct Solid {
             else
                 return {unit, bound_at(s, moved, p, error, n, face, T(0))};
         };
-        if (is_ball) return of(std::get<Sphere<N>>(shape)); // most are: inlined here
+        if (is_ball) return of(std::get<Sphere<N>>(shape)); // what most rays hit: inlined here
         return std::visit(of, shape);
     }
 
