@@ -9,12 +9,10 @@
 namespace rayscope::cli {
 
 // The allocator grows its heap by so much at once: addresses, which cost nothing until they are touched. What does not fit
-// there comes in small pages, as it would without this.
+// there comes in small pages, as it would without this; so do blocks above the largest that glibc can be told to take from
+// the heap, which have a mapping of their own and give it back.
 void use_large_pages() {
-    constexpr int heap = 1 << 28, page = 1 << 21;
-    constexpr int largest_block =
-        1 << 25; // larger ones have a mapping of their own, and give it back: glibc allows no more
-    constexpr int more_than_at_start = 1 << 20;
+    constexpr int heap = 1 << 28, page = 1 << 21, largest_block = 1 << 25, more_than_at_start = 1 << 20;
     const auto end = [] { return reinterpret_cast<std::uintptr_t>(sbrk(0)); };
     const std::uintptr_t before = end();
     mallopt(M_TOP_PAD, heap);
