@@ -23,17 +23,17 @@ class CompoundText {
 public:
     CompoundText(const Scene& scene, std::size_t index, const Frame& frame, Textures& textures)
         : scene_(scene),
-          compound_(scene.compounds[index]),
+          whole_(*scene.compounds[index].material),
           frame_(frame),
           textures_(textures),
           tree_(expand(scene, index)) {}
 
     // From the root down over a stack of its own, since a tree can be deeper than a call stack.
     std::string write(const std::string& modifiers) {
-        const std::size_t root = below_complements(tree_.size() - 1), whole = *compound_.material;
-        const std::size_t wall =
-            tree_[root].operation == Operation::leaf ? tree_[root].material.value_or(whole) : whole;
-        Step first{tree_.size() - 1, 0, false, textures_.use(whole, wall, true) + modifiers, false};
+        const ExpandedNode& root = tree_[below_complements(tree_.size() - 1)];
+        const std::string texture =
+            root.operation == Operation::leaf ? texture_of(root) : textures_.use(whole_, whole_, true);
+        Step first{tree_.size() - 1, 0, false, texture + modifiers, false};
         std::vector<Step> steps{std::move(first)};
         while (!steps.empty()) {
             Step step = std::move(steps.back());
@@ -99,20 +99,27 @@ private:
         return operands;
     }
 
+    [[nodiscard]] std::size_t wall_of(const ExpandedNode& leaf) const {
+        return leaf.material.value_or(whole_);
+    }
+    [[nodiscard]] std::string texture_of(const ExpandedNode& leaf) {
+        return textures_.use(whole_, wall_of(leaf), true, frame_.matrix(leaf.matrix));
+    }
+
     void write_leaf(const Step& step) {
         const ExpandedNode& leaf = tree_[step.node];
         const SceneGeneric& generic = scene_.generics[leaf.generic];
         std::string modifiers = with_inverse(step);
-        // Walls that look like the whole inherit its texture.
-        const std::size_t whole = *compound_.material, wall = leaf.material.value_or(whole);
-        if (wall != whole && step.modifiers.empty())
-            modifiers += (modifiers.empty() ? "" : " ") + textures_.use(whole, wall, true);
+        // Walls that look like the whole inherit its texture; patterns lie in each operand's own space.
+        const bool looks_different = wall_of(leaf) != whole_ || textures_.shows_patterns(whole_, whole_);
+        if (looks_different && step.modifiers.empty())
+            modifiers += (modifiers.empty() ? "" : " ") + texture_of(leaf);
         text_ += indent(step.depth) + comment(generic.name);
         text_ += indent(step.depth) + shape(generic.shape, frame_.matrix(leaf.matrix), modifiers);
     }
 
     const Scene& scene_;
-    const SceneCompound& compound_;
+    std::size_t whole_; // the material of the compound
     const Frame& frame_;
     Textures& textures_;
     std::vector<ExpandedNode> tree_;

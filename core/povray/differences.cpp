@@ -1,7 +1,9 @@
 #include "core/povray/differences.hpp"
 
 #include "core/povray/flush_faces.hpp"
+#include "core/povray/mesh_parts.hpp"
 #include "core/povray/textures.hpp"
+#include "core/scene/expand.hpp"
 
 #include <fmt/format.h>
 
@@ -43,8 +45,7 @@ private:
 
     // Where no light has shadows, the objects cast none, and nothing is lost.
     void find_in_lights() {
-        const auto casts = [](const SceneLight& light) { return light.shadows; };
-        if (std::none_of(scene_.lights.begin(), scene_.lights.end(), casts)) return;
+        if (!casts_shadows(scene_)) return;
         for (const SceneLight& light : scene_.lights)
             if (!light.shadows) say("light '{}' has no shadows, and so no highlights in POV-Ray", light.name);
     }
@@ -58,36 +59,55 @@ private:
     void find_in_effects() {
         for (const SceneMaterial& material : scene_.materials) {
             if (material.dispersion.spreads())
-                say("material '{}': its index is that of yellow light for all colours", material.name);
+                say("material '{}': its colours and indices are POV-Ray's own, through two points of the "
+                    "curve",
+                    material.name);
             if (material.mirror == Mirror::schlick)
                 say("material '{}': Fresnel's equations take the place of Schlick's approximation",
                     material.name);
+            if (material.mirror != Mirror::constant && casts_shadows(scene_))
+                say("material '{}': its shadows are paler: they do not lack what it mirrors", material.name);
         }
-        // Of a compound's walls each would have its operand's space.
-        for (std::size_t id = 0; id < scene_.drawn.size(); ++id) {
-            const std::uint32_t material = world_.objects[id].material;
-            if (scene_.materials[material].patterns.any() &&
-                (scene_.drawn[id].is_compound || !Textures(scene_).shows_patterns(material)))
-                say("material '{}': its patterns are left out, their means are taken",
-                    scene_.materials[material].name);
-        }
+        std::set<std::uint32_t> lost;
+        for (const SceneObject& drawn : scene_.drawn) find_lost_patterns(drawn, lost);
+        for (const std::uint32_t material : lost)
+            say("material '{}': its patterns are left out, their means are taken",
+                scene_.materials[material].name);
         for (const SceneLight& light : scene_.lights)
             if (light.area.samples > 1) say("light '{}': its area is asked at points of a grid", light.name);
         if (scene_.camera.samples > 1)
             say("samples are left out: POV-Ray's own antialiasing is an option of its command line, +A");
     }
 
+    // By the wall's material, where it is not the object's reflection that has a pattern.
+    void find_lost_patterns(const SceneObject& drawn, std::set<std::uint32_t>& lost) const {
+        const Textures textures(scene_);
+        const auto ask = [&](std::size_t object, std::size_t wall) {
+            if (textures.loses_patterns(object, wall))
+                lost.insert(std::uint32_t(scene_.materials[wall].patterns.any() ? wall : object));
+        };
+        if (!drawn.is_compound) {
+            const std::size_t material = *scene_.generics[drawn.index].material;
+            return ask(material, material);
+        }
+        const std::size_t whole = *scene_.compounds[drawn.index].material;
+        for (const ExpandedNode& node : expand(scene_, drawn.index))
+            if (node.operation == Operation::leaf) ask(whole, node.material.value_or(whole));
+    }
+
     void find_in_media() {
         std::set<std::uint32_t> mirrors;
-        bool bends = false, overlap = false;
+        bool bends = false, overlap = false, fades = false;
         for (const std::uint32_t object : world_.media.all()) {
             const Material& material = world_.material_of(object);
             const Colour share = material.reflection + material.transmission;
             bends = bends || material.speed != world_.medium_speed;
             if (material.speed != world_.medium_speed && minimum(share.x, minimum(share.y, share.z)) < 1)
                 mirrors.insert(world_.objects[object].material);
-            world_.media.each_near(
-                object, [&](std::uint32_t other) { overlap = overlap || needs_rule(object, other); });
+            world_.media.each_near(object, [&](std::uint32_t other) {
+                overlap = overlap || needs_rule(object, other);
+                fades = fades || material.absorbs();
+            });
         }
         // A ray that is reflected totally carries reflection + transmission here, all there.
         if (!mirrors.empty())
@@ -96,6 +116,7 @@ private:
             say("media = \"notes\" is left out: POV-Ray knows the medium that a ray comes from");
         else if (overlap)
             say("where transparent solids overlap in part, the medium is the one that the ray entered last");
+        if (fades) say("light fades in another way where a solid lies in one that absorbs");
     }
 
     [[nodiscard]] std::string names(const std::set<std::uint32_t>& materials) const {
@@ -125,6 +146,14 @@ private:
             if (const auto* polygon = std::get_if<Polygon<double>>(&generic.shape);
                 polygon != nullptr && polygon->smooth())
                 ++(is_fan(*polygon) ? smooth : flattened);
+        for (std::size_t id = 0; id < scene_.drawn.size(); ++id) {
+            const SceneObject& drawn = scene_.drawn[id];
+            if (drawn.is_compound || !world_.material_of(std::uint32_t(id)).transmits()) continue;
+            const auto* mesh = std::get_if<Mesh<double>>(&scene_.generics[drawn.index].shape);
+            if (mesh != nullptr && mesh->solid && parts_may_overlap(mesh->triangles().data()))
+                say("mesh '{}': where its parts overlap, their inner walls are seen",
+                    scene_.generics[drawn.index].name);
+        }
         if (smooth > 0)
             say("where a smooth polygon's normal turns away from the eye, POV-Ray turns it back, instead of "
                 "taking "
@@ -151,6 +180,8 @@ private:
 };
 
 } // namespace
+
+bool casts_shadows(const Scene& scene) { return std::ranges::any_of(scene.lights, &SceneLight::shadows); }
 
 bool is_fan(const Polygon<double>& polygon) {
     const auto& corners = polygon.vertices();

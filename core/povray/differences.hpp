@@ -12,6 +12,9 @@ namespace rayscope::povray {
 /// One sentence for each thing in the scene that POV-Ray can't do, or does in another way.
 [[nodiscard]] std::vector<std::string> differences(const Scene& scene, const WorldBase& world);
 
+/// Whether any light has shadows.
+[[nodiscard]] bool casts_shadows(const Scene& scene);
+
 /// Whether the triangles that a smooth polygon is cut into cover it and nothing else.
 [[nodiscard]] bool is_fan(const Polygon<double>& polygon);
 

@@ -1,9 +1,13 @@
 #include "core/povray/shapes.hpp"
 
+#include "core/mesh/triangulate.hpp"
 #include "core/povray/differences.hpp"
 #include "core/povray/words.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
 
 namespace rayscope::povray {
 namespace {
@@ -34,6 +38,7 @@ public:
     // Corners are moved here: POV-Ray takes a small polygon that a matrix would enlarge for none.
     std::string operator()(const Polygon<double>& polygon) const {
         if (polygon.smooth() && is_fan(polygon)) return smooth(polygon);
+        if (meets_itself(polygon)) return cut(polygon);
         std::string corners;
         for (const Vec3d& v : polygon.vertices()) corners += (corners.empty() ? "" : ", ") + corner(v);
         if (polygon.vertices().size() == 3) return whole("triangle", corners);
@@ -46,10 +51,15 @@ public:
     std::string operator()(const Mesh<double>& mesh) const {
         const MeshData& data = mesh.triangles().data();
         const Transform<double> transform(matrix_);
+        // POV-Ray's normal of a flat triangle is −(b − a) × (c − a).
+        const bool mirrors = glm::determinant(glm::dmat3(matrix_)) < 0;
+        const std::array<std::size_t, 3> order = mirrors || data.smooth()
+                                                     ? std::array<std::size_t, 3>{0, 1, 2}
+                                                     : std::array<std::size_t, 3>{0, 2, 1};
         std::string triangles;
         for (std::size_t i = 0; i < data.triangles.size(); ++i) {
             std::string corners;
-            for (std::size_t k = 0; k < 3; ++k) {
+            for (const std::size_t k : order) {
                 corners += (k == 0 ? "" : ", ") + corner(data.positions[data.triangles[i][k]]);
                 if (data.smooth())
                     corners +=
@@ -68,6 +78,25 @@ private:
     }
     [[nodiscard]] std::string moved(std::string_view kind, const std::string& what) const {
         return whole(kind, matrix_ == Mat4d{1} ? what : what + " " + povray::matrix(matrix_));
+    }
+
+    // Where an outline comes back to a corner, POV-Ray lets another one begin.
+    [[nodiscard]] static bool meets_itself(const Polygon<double>& polygon) {
+        std::vector<Vec3d> corners = polygon.vertices();
+        const auto before = [](const Vec3d& a, const Vec3d& b) {
+            return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+        };
+        std::ranges::sort(corners, before);
+        return std::ranges::adjacent_find(corners) != corners.end();
+    }
+    [[nodiscard]] std::string cut(const Polygon<double>& polygon) const {
+        const auto& corners = polygon.vertices();
+        std::string triangles;
+        Triangulation triangulation;
+        for (const MeshData::Corners& t : triangulation.of(corners))
+            triangles += fmt::format("\ntriangle {{ {}, {}, {} }}", corner(corners[t[0]]),
+                                     corner(corners[t[1]]), corner(corners[t[2]]));
+        return whole("mesh", triangles + "\n");
     }
 
     // The same fan of triangles in which our own normals are interpolated. In a mesh, since alone POV-Ray refuses those

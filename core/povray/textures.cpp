@@ -78,11 +78,11 @@ std::string transparent(const SceneMaterial& object, const SceneMaterial& wall) 
                        number(2 * paint.diffuse), shine);
 }
 
-/// All patterns of a material, even and odd colours in turn; the first one tells of the cells.
-std::vector<const Pattern*> patterns_of(const SceneMaterial& material) {
-    const Patterns& p = material.patterns;
+/// All patterns that show on a wall; the first one tells of the cells.
+std::vector<const Pattern*> patterns_of(const SceneMaterial& object, const SceneMaterial& wall) {
     std::vector<const Pattern*> list;
-    for (const auto* pattern : {&p.ambient, &p.diffuse, &p.specular, &p.reflection, &p.transmission})
+    for (const auto* pattern : {&wall.patterns.ambient, &wall.patterns.diffuse, &wall.patterns.specular,
+                                &object.patterns.reflection, &object.patterns.transmission})
         if (*pattern) list.push_back(&**pattern);
     return list;
 }
@@ -100,32 +100,39 @@ SceneMaterial half_of(SceneMaterial material, bool even) {
 
 } // namespace
 
-bool Textures::shows_patterns(std::size_t material) const {
-    const SceneMaterial& m = scene_.materials[material];
-    const auto patterns = patterns_of(m);
-    if (patterns.empty() || m.transmits()) return false;
+bool Textures::shows_patterns(std::size_t object, std::size_t wall) const {
+    const SceneMaterial &o = scene_.materials[object], &w = scene_.materials[wall];
+    const auto patterns = patterns_of(o, w);
+    if (patterns.empty() || o.transmits()) return false;
     const Pattern& first = *patterns.front();
-    return std::ranges::all_of(patterns, [&](const Pattern* p) {
-        return p->kind == first.kind && p->size == first.size && p->axis == first.axis;
-    });
+    return std::ranges::all_of(patterns, [&](const Pattern* p) { return p->has_cells_of(first); });
 }
 
-std::string Textures::use_patterns(std::size_t material, const Mat4d& place) const {
-    const SceneMaterial& m = scene_.materials[material];
-    const Pattern& cells = *patterns_of(m).front();
-    const SceneMaterial even = half_of(m, true), odd = half_of(m, false);
+bool Textures::loses_patterns(std::size_t object, std::size_t wall) const {
+    return !patterns_of(scene_.materials[object], scene_.materials[wall]).empty() &&
+           !shows_patterns(object, wall);
+}
+
+std::string Textures::patterned(std::size_t object, std::size_t wall, const Mat4d& place) const {
+    const SceneMaterial &o = scene_.materials[object], &w = scene_.materials[wall];
+    const Pattern& cells = *patterns_of(o, w).front();
+    const std::string even = opaque(half_of(o, true), half_of(w, true)),
+                      odd = opaque(half_of(o, false), half_of(w, false));
     // A face at 0 belongs to the cells below it.
     constexpr double aside = 1.0 / 4096;
     const std::string size = number(cells.size);
     std::string text;
     if (cells.kind == Pattern::Kind::checker)
-        text = fmt::format("checker\n{}{} translate {} scale {}", opaque(even, even), opaque(odd, odd),
-                           number(aside), size);
+        text = fmt::format("checker\n{}{} translate {} scale {}", even, odd, number(aside), size);
     else
         text = fmt::format("gradient {} texture_map {{ [0.5 {}] [0.5 {}] }} translate {} scale {}",
-                           std::string(1, "xyz"[cells.axis]), within(opaque(even, even)),
-                           within(opaque(odd, odd)), number(aside), number(2 * cells.size));
+                           std::string(1, "xyz"[cells.axis]), within(even), within(odd), number(aside),
+                           number(2 * cells.size));
     return fmt::format("texture {{ {}{} }}", text, place == Mat4d{1} ? "" : " " + matrix(place));
+}
+
+std::string Textures::use(std::size_t object, std::size_t wall, bool has_volume, const Mat4d& place) {
+    return shows_patterns(object, wall) ? patterned(object, wall, place) : use(object, wall, has_volume);
 }
 
 std::string Textures::use(std::size_t object, std::size_t wall, bool has_volume) {

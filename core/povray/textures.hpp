@@ -19,17 +19,21 @@ public:
     /// @param wall index of the material whose ambient, diffuse and specular light count
     [[nodiscard]] std::string use(std::size_t object, std::size_t wall, bool has_volume);
 
-    /// Whether a material's patterns can be shown: of an opaque one, all with the same cells.
-    [[nodiscard]] bool shows_patterns(std::size_t material) const;
+    /// The same for the wall of one solid, patterns in its own space with it where they can be shown.
+    /// @param place the solid's object space → POV-Ray's space
+    [[nodiscard]] std::string use(std::size_t object, std::size_t wall, bool has_volume, const Mat4d& place);
 
-    /// The texture of a solid with such a material, in its own space.
-    /// @param place object → POV-Ray's space
-    [[nodiscard]] std::string use_patterns(std::size_t material, const Mat4d& place) const;
+    /// Whether there are patterns, and POV-Ray can show them: of an opaque object, all with the same cells.
+    [[nodiscard]] bool shows_patterns(std::size_t object, std::size_t wall) const;
+    /// Whether there are patterns that can't be shown.
+    [[nodiscard]] bool loses_patterns(std::size_t object, std::size_t wall) const;
 
     /// All declarations so far, each ended by a newline.
     [[nodiscard]] const std::string& declarations() const { return declarations_; }
 
 private:
+    [[nodiscard]] std::string patterned(std::size_t object, std::size_t wall, const Mat4d& place) const;
+
     const Scene& scene_;
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers_;
     std::string declarations_;

@@ -10,6 +10,18 @@ namespace {
 // Far beyond any medium, and close enough to 1 that ratios of two stay exact in their order.
 constexpr Bounds possible_speed{1 / 1e6, 1e6};
 
+/// The largest sum of reflection and transmission that a place of the surface can have, in any colour.
+double most_light(const SceneMaterial& material) {
+    const auto &mirrors = material.patterns.reflection, &passes = material.patterns.transmission;
+    if (mirrors && passes && mirrors->has_cells_of(*passes))
+        return maximum(largest_component(mirrors->even + passes->even),
+                       largest_component(mirrors->odd + passes->odd));
+    const auto largest = [](const Colour& colour, const std::optional<Pattern>& pattern) {
+        return pattern ? maximum_of(pattern->even, pattern->odd) : colour;
+    };
+    return largest_component(largest(material.reflection, mirrors) + largest(material.transmission, passes));
+}
+
 SceneMaterial read_material(const TomlEntry& entry) {
     const TomlTable table = entry.value.table();
     std::vector<std::string_view> keys{"ambient",    "diffuse",      "specular", "shininess",
@@ -34,11 +46,7 @@ SceneMaterial read_material(const TomlEntry& entry) {
     read_optics(table, material);
 
     // 0.7 + 0.3 is no more than 1 for its author, whatever the last bit says.
-    const auto largest = [](const Colour& colour, const std::optional<Pattern>& pattern) {
-        return pattern ? maximum_of(pattern->even, pattern->odd) : colour;
-    };
-    const double sum = largest_component(largest(material.reflection, patterns.reflection) +
-                                         largest(material.transmission, patterns.transmission));
+    const double sum = most_light(material);
     if (sum > 1 + 4 * epsilon<double>)
         table.find("transmission")
             ->fail(

@@ -16,6 +16,10 @@ struct Pattern {
     double size = 1; ///< edge of a cube, thickness of a layer
     int axis = 0;    ///< of stripes: x, y or z
 
+    /// Whether the other one's colours change where this one's do.
+    [[nodiscard]] bool has_cells_of(const Pattern& other) const {
+        return kind == other.kind && size == other.size && (kind == Kind::checker || axis == other.axis);
+    }
     [[nodiscard]] const Colour& at(const Vec3d& point) const {
         const auto cell = [&](int i) { return std::floor(point[i] / size); };
         const double sum = kind == Kind::stripes ? cell(axis) : cell(0) + cell(1) + cell(2);

@@ -18,9 +18,7 @@ namespace fs = std::filesystem;
 
 /// Scenes that POV-Ray can't show, and why.
 const std::map<std::string, std::string, std::less<>> not_compared = {
-    {"rainbow", "the spectrum is what it shows, and POV-Ray's has other lines"},
     {"ice_water", "its media overlap, and POV-Ray knows the one that a ray entered last"},
-    {"diamond", "it sparkles by dispersion"},
     {"flush_holes", "operands share planes, and POV-Ray leaves it to rounding which of them has the face"},
 };
 
