@@ -53,11 +53,12 @@ std::span<const MeshData::Corners> Triangulation::of(std::span<const Vec3d> corn
     return triangles_;
 }
 
-// A corner that bends to the left, with no other within its triangle.
+// A corner that bends to the left, with no other within its triangle; or one whose triangle has no inside.
 bool Triangulation::is_ear(std::size_t at) const {
     const std::size_t n = left_.size();
     const std::uint32_t before = left_[(at + n - 1) % n], here = left_[at], after = left_[(at + 1) % n];
     const Flat &a = flat_[before], &b = flat_[here], &c = flat_[after];
+    if (a == b || b == c || a == c) return true; // a corner twice, or a spike: nothing lies within
     if (!(doubled_area(a, b, c) > 0)) return false;
     return std::none_of(left_.begin(), left_.end(), [&](std::uint32_t other) {
         const Flat& p = flat_[other];

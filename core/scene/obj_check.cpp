@@ -45,7 +45,7 @@ private:
             const std::string_view number = word.starts_with('+') ? word.substr(1) : word;
             double x = 0;
             const auto [end, error] = std::from_chars(number.begin(), number.end(), x);
-            if (error == std::errc::invalid_argument || end != number.end() || x != x)
+            if (error == std::errc::invalid_argument || end != number.end() || !is_finite(x))
                 fail(word, "expected a number, found " + in_quotes(word));
         }
         if (count < least || count > most)

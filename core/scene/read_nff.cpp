@@ -204,7 +204,9 @@ private:
             const auto three = [&](const std::vector<Vec3d>& of) {
                 return of.empty() ? of : std::vector<Vec3d>{of[t[0]], of[t[1]], of[t[2]]};
             };
-            add_polygon(command, three(vertices), three(normals));
+            const std::vector<Vec3d> corners = three(vertices);
+            if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+                add_polygon(command, corners, three(normals));
         }
     }
 

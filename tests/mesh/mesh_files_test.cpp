@@ -71,6 +71,8 @@ TEST(Obj, errors_name_line_and_expectation) {
     EXPECT_EQ(obj_error("v 0 0 0\nv 1 x 0\n"), "m.obj:2:5: expected a number, found 'x'");
     EXPECT_EQ(obj_error("v 0 0\n"), "m.obj:1:1: expected 3 to 7 numbers, found 2");
     EXPECT_EQ(obj_error("v 0 0 nan\n"), "m.obj:1:7: expected a number, found 'nan'");
+    EXPECT_EQ(obj_error("v 0 -inf 0\n"), "m.obj:1:5: expected a number, found '-inf'");
+    EXPECT_EQ(obj_error("vn infinity 0 0\n"), "m.obj:1:4: expected a number, found 'infinity'");
     EXPECT_EQ(obj_error("v 0 0 0\nf 1 1\n"), "m.obj:2:1: expected a face of 3 to 1024 corners, found 2");
     EXPECT_EQ(obj_error("v 0 0 0\n\nf 1 1 2\n"), "m.obj:3: there is no vertex 2: 1 stand above");
     EXPECT_EQ(obj_error("v 0 0 0\nf 1 1 -2\n"), "m.obj:2: there is no vertex -2: 1 stand above");

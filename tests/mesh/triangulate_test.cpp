@@ -27,6 +27,28 @@ TEST(Triangulate, ell_is_not_covered_twice) {
     EXPECT_DOUBLE_EQ(sum, 3);
 }
 
+// Corners that are given twice, and a spike that leads out and back, change nothing of what is covered.
+TEST(Triangulate, doubled_corners_and_spikes_cover_nothing) {
+    const std::vector<Vec3d> ell{{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+    Triangulation cut;
+    const auto expect_ell = [&](const std::vector<Vec3d>& corners) {
+        double sum = 0;
+        for (const auto& t : cut.of(corners)) {
+            EXPECT_GE(area(corners, t).z, 0);
+            sum += area(corners, t).z / 2;
+        }
+        EXPECT_DOUBLE_EQ(sum, 6);
+    };
+    for (unsigned doubled = 0; doubled < 64; ++doubled) {
+        std::vector<Vec3d> corners;
+        for (unsigned i = 0; i < 6; ++i) corners.insert(corners.end(), (doubled >> i & 1U) + 1, ell[i]);
+        expect_ell(corners);
+    }
+    std::vector<Vec3d> spiked = ell;
+    spiked.insert(spiked.begin() + 2, {Vec3d{5, 0, 0}, Vec3d{4, 0, 0}});
+    expect_ell(spiked);
+}
+
 // Stars with deep bays, turned any way: every triangle runs like the outline, and their areas add up to its own.
 TEST(Triangulate, stars) {
     Random random(4);
