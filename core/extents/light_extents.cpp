@@ -5,6 +5,7 @@ namespace {
 
 constexpr double cell_rounding = 0x1p-10; // of a cell: far above rounding
 constexpr double steepest = 4;            // slope that a single window still looks at
+constexpr std::size_t cover_looks_per_cell = 16;
 
 int cells_for(std::size_t objects) {
     int cells = 16; // measured: more than 256² cost more to fill than their shorter lists save
@@ -145,9 +146,17 @@ auto LightExtents<N>::window(const LightView& view, const Rectangles& rectangles
             {cell(left), cell(top), cell(right), cell(bottom), below(seen->nearest), together_[i]});
     }
     result.covered.assign(std::size_t(view.cells) * std::size_t(view.cells), infinity<float>);
+    // The nearest first: what lies behind them covers nothing that is not covered.
+    std::ranges::sort(items, {}, &CellLists::Item::nearest);
+    std::size_t looks = cover_looks_per_cell * result.covered.size() + 64 * items.size();
     for (const CellLists::Item& item : items) {
         const Object& object = world_.objects[item.object];
-        if (world_.is_ball(object) && !world_.material_of(object).transmits()) cover(result, object, item);
+        if (!world_.is_ball(object) || world_.material_of(object).transmits()) continue;
+        const std::size_t cells =
+            std::size_t(item.right - item.left + 1) * std::size_t(item.bottom - item.top + 1);
+        if (cells > looks) continue; // covers save time, and may not cost it
+        looks -= cells;
+        cover(result, object, item);
     }
     result.lists = CellLists(view.cells, view.cells, std::move(items));
     return result;
@@ -173,12 +182,13 @@ void LightExtents<N>::cover(Window& window, const Object& object, const CellList
     const float beyond = above(from_light + radius + margin_);
     for (int y = item.top + 1; y < item.bottom; ++y)
         for (int x = item.left + 1; x < item.right; ++x) {
+            float& covered = window.covered[std::size_t(y * view.cells + x)];
+            if (covered <= beyond) continue;
             const double left = x - cell_rounding, right = x + 1 + cell_rounding, top = y - cell_rounding,
                          bottom = y + 1 + cell_rounding;
             if (!hides(left, top) || !hides(right, top) || !hides(left, bottom) || !hides(right, bottom))
                 continue;
-            float& covered = window.covered[std::size_t(y * view.cells + x)];
-            covered = minimum(covered, beyond);
+            covered = beyond;
         }
 }
 
