@@ -45,22 +45,22 @@ Scene with_chosen_effects(Scene scene, const std::optional<std::string>& text) {
     const EffectSet needed = needed_effects(effect_needs(scene, build(scene)));
     const EffectSet wanted = text ? parse_effects(*text, needed) : *scene.effects;
     scene = with_effects(std::move(scene), needed, wanted);
-    // Where nothing is added there is nothing to ask for again.
-    const EffectSet now =
-        names_of(wanted, needed).empty() ? needed : needed_effects(effect_needs(scene, build(scene)));
-    EffectSet simulated; // of those that are wanted
+    const EffectSet now = needed_effects(effect_needs(scene, build(scene)));
     for (std::size_t i = 0; i < effect_names.size(); ++i) {
         const auto effect = Effect(i);
-        simulated.set(effect, wanted.has(effect) && now.has(effect));
-        scene.taken_away.set(effect, needed.has(effect) && !wanted.has(effect));
+        const bool was = needed.has(effect), asked = wanted.has(effect), is = now.has(effect);
+        scene.taken_away.set(effect, was && !asked);
+        scene.went_along.set(effect, was && asked && !is);
+        scene.added.set(effect, !was && asked && is);
     }
     const auto warn = [&](const char* what, const EffectSet& some, const EffectSet& others) {
         if (const std::string names = names_of(some, others); !names.empty())
             scene.warnings.push_back(fmt::format("{}: {}: {}", scene.file, what, names));
     };
-    warn("simulated though nothing in the scene calls for it", simulated, needed);
-    warn("asked for, but there is nothing in the scene to add it to", wanted, united(simulated, needed));
-    warn("called for by the scene, and not simulated, as it was asked", needed, wanted);
+    warn("simulated though nothing in the scene calls for it", scene.added, {});
+    warn("asked for, but there is nothing in the scene to add it to", wanted, united(now, needed));
+    warn("called for by the scene, and not simulated, as it was asked", scene.taken_away, {});
+    warn("called for by what was taken away, and gone with it", scene.went_along, {});
     return scene;
 }
 

@@ -109,7 +109,7 @@ TraceSource by_hand(const Ray<double>& ray) {
 } // namespace
 
 Workbench make_workbench(Scene scene) {
-    World<double> world = build(scene);
+    World<double> world = world_as_needed(scene);
     return {std::move(scene), std::move(world)};
 }
 
@@ -187,24 +187,27 @@ Trace trace_ray(const Workbench& bench, const Configuration& configuration, cons
     return traced(bench, configuration, ray, by_hand(ray));
 }
 
-Ledger ledger(const Workbench& bench, int width, int height) {
+Ledger ledger(const Workbench& bench, int width, int height, const std::atomic<bool>* stop) {
     const Screen screen = screen_of(bench.scene.camera, width, height);
     const StageSet stages(bench.world, best_choice(bench.world).choice, screen);
+    RenderOptions options;
+    options.width = screen.width;
+    options.height = screen.height;
+    options.stop = stop;
+    const Map samples = bench.scene.camera.samples > 1 ? render(bench, options).samples : Map();
     std::vector<Ledger> rows(std::size_t(screen.height));
     tbb::parallel_for(0, screen.height, [&](int y) {
-        for (int x = 0; x < screen.width; ++x) {
-            const SampleAddress sample{x, y, 0};
-            rows[std::size_t(y)] +=
-                ledger_of(record(bench.world, stages, screen.eye_rays.of(sample), sample).rays);
+        for (int x = 0; x < screen.width && !(stop != nullptr && *stop); ++x) {
+            const int taken = samples.values.empty() ? 1 : int(samples.at(x, y));
+            Ledger pixel;
+            for (SampleAddress sample{x, y, 0}; sample.sample < taken; ++sample.sample)
+                pixel += ledger_of(record(bench.world, stages, screen.eye_rays.of(sample), sample).rays);
+            rows[std::size_t(y)] += pixel /= taken;
         }
     });
     Ledger sum; // row by row: the same for any number of threads
     for (const Ledger& row : rows) sum += row;
-    const double pixels = double(screen.width) * screen.height;
-    for (auto& source : sum.sources) source.second /= pixels;
-    sum.absorbed /= pixels;
-    sum.total /= pixels;
-    return sum;
+    return sum /= double(screen.width) * screen.height;
 }
 
 ScreenExtents screen_extents(const Workbench& bench, int width, int height) {

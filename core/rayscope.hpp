@@ -116,10 +116,12 @@ make_stages(const Workbench& bench, const std::optional<StageChoice>& choice, in
 [[nodiscard]] Trace trace_ray(const Workbench& bench, const Configuration& configuration,
                               const Ray<double>& ray);
 
-/// Where the light of an image comes from, each pixel's middle recorded: mean light of a pixel. Objects are the scene's
-/// drawn ones.
+/// Where the light of an image comes from, every sample of it recorded: mean light and mean dropped weight of a pixel.
+/// Objects are the scene's drawn ones.
 /// @param width, height 0: the scene's
-[[nodiscard]] Ledger ledger(const Workbench& bench, int width = 0, int height = 0);
+/// @param stop set to true from outside: it ends soon, and what it tells means nothing
+[[nodiscard]] Ledger ledger(const Workbench& bench, int width = 0, int height = 0,
+                            const std::atomic<bool>* stop = nullptr);
 
 /// The screen as the stage of projective extents sees it.
 struct ScreenExtents {

@@ -155,6 +155,7 @@ bool add_effect(Effect effect, Scene& scene) {
     }
     if (effect == Effect::antialiasing) {
         scene.camera.samples = added_samples;
+        scene.samples_place = {};
         added = true;
     }
     return added;

@@ -1,14 +1,21 @@
 #include "core/effects/effect_needs.hpp"
 
 #include "core/effects/used_materials.hpp"
+#include "core/scene/build.hpp"
 #include "core/scene/name_trace.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace rayscope {
 namespace {
+
+// With antialiasing, which is asked of the camera and not of the world.
+constexpr std::array of_the_classic_tracer{Effect::ambient,      Effect::diffuse,     Effect::specular,
+                                           Effect::shadows,      Effect::reflection,  Effect::refraction,
+                                           Effect::nested_media, Effect::antialiasing};
 
 /// The largest that a coefficient is anywhere.
 double largest_of(const Colour& colour, const std::optional<Pattern>& pattern) {
@@ -36,17 +43,15 @@ public:
                   &SceneMaterial::transmits);
         nested_media();
         soft_shadows();
-        of_object(Effect::fresnel, "has fresnel set", "no drawn object's material has fresnel set",
+        of_medium(Effect::fresnel, "has fresnel set", "no drawn object's material has fresnel set",
                   [](const SceneMaterial& m) { return m.mirror != Mirror::constant; });
-        of_object(
-            Effect::absorption, "absorbs light inside", "no medium has an absorption",
-            [](const SceneMaterial& m) { return m.transmits() && largest_component(m.absorption) > 0; });
-        of_object(Effect::dispersion, "bends each colour by an index of its own",
+        of_medium(Effect::absorption, "absorbs light inside", "no medium has an absorption",
+                  [](const SceneMaterial& m) { return largest_component(m.absorption) > 0; });
+        of_medium(Effect::dispersion, "bends each colour by an index of its own",
                   "no medium's index depends on the colour",
-                  [](const SceneMaterial& m) { return m.transmits() && m.dispersion.spreads(); });
+                  [](const SceneMaterial& m) { return m.dispersion.spreads(); });
         antialiasing();
-        of_material(Effect::patterns, "has a coefficient with a pattern", "no coefficient has a pattern",
-                    [](const SceneMaterial& m) { return m.patterns.any(); });
+        patterns();
         return std::move(needs_);
     }
 
@@ -58,11 +63,24 @@ private:
     }
 
     void add(Effect effect, bool needed, std::string reason) {
+        if (needed && scene_.added.has(effect)) reason = "added, as it was asked";
         if (!needed && scene_.taken_away.has(effect)) reason = "taken away, as it was asked";
+        if (!needed && scene_.went_along.has(effect)) reason = "what called for it was taken away";
+        if (!needed && effect == Effect::reflection && first(true, &SceneMaterial::transmits) != nullptr)
+            reason += "; what is reflected totally belongs to refraction";
         needs_.push_back({effect, needed, std::move(reason)});
+    }
+    [[nodiscard]] bool needs(Effect effect) const {
+        return std::ranges::any_of(needs_,
+                                   [&](const EffectNeed& n) { return n.effect == effect && n.needed; });
     }
     [[nodiscard]] std::string at(Place place) const {
         return place.line > 0 ? fmt::format(", {}:{}", scene_.file, place.line) : "";
+    }
+    [[nodiscard]] Place place_of(std::size_t drawn) const {
+        const SceneObject& object = scene_.drawn[drawn];
+        return object.is_compound ? scene_.compounds[object.index].place
+                                  : scene_.generics[object.index].place;
     }
     [[nodiscard]] std::string title(std::size_t drawn) const {
         return object_title(scene_, scene_.drawn[drawn]);
@@ -96,14 +114,52 @@ private:
         else
             from(effect, used, does, otherwise);
     }
+    [[nodiscard]] bool follows() const { return scene_.limits.max_depth > 0; }
     void of_object(Effect effect, const char* does, const char* otherwise, const Lit& asks) {
         const UsedMaterial* used = first(true, asks);
-        const bool recursive =
-            effect == Effect::reflection || effect == Effect::refraction || effect == Effect::dispersion;
-        if (recursive && used != nullptr && scene_.limits.max_depth == 0)
-            add(effect, false, "max_depth is 0: no ray follows the eye's");
+        if (used != nullptr && !follows())
+            add(effect, false, nothing_follows);
         else
             from(effect, used, does, otherwise);
+    }
+    // What only media do.
+    void of_medium(Effect effect, const char* does, const char* otherwise, const Lit& asks) {
+        for (const std::uint32_t object : world_.media.all()) {
+            const std::size_t material = world_.objects[object].material;
+            // A surface alone may have the place of a medium's, and then shares out its light.
+            const bool can = world_.objects[object].has_volume || effect == Effect::fresnel;
+            if (!can || !asks(scene_.materials[material])) continue;
+            const bool in_shadows = effect != Effect::dispersion && needs(Effect::shadows);
+            const bool before_the_eye = effect == Effect::absorption && holds_eye(object);
+            if (!follows() && !in_shadows && !before_the_eye) return add(effect, false, nothing_follows);
+            const UsedMaterial used{material, object, true};
+            return from(effect, &used, does, otherwise);
+        }
+        add(effect, false, otherwise);
+    }
+    // Perhaps.
+    [[nodiscard]] bool holds_eye(std::uint32_t object) const {
+        Box<double> eye;
+        eye.include(scene_.camera.eye);
+        return world_.objects[object].bounds.overlaps(eye);
+    }
+    // Those of coefficients that something is multiplied by.
+    void patterns() {
+        const bool ambient = largest_component(scene_.ambient) > 0, light = any_light_shines();
+        const bool through = follows() || needs(Effect::shadows);
+        for (const UsedMaterial& used : used_) {
+            const Patterns& p = scene_.materials[used.material].patterns;
+            if ((p.ambient && ambient) || ((p.diffuse || p.specular) && light) ||
+                (used.is_object && ((p.reflection && follows()) || (p.transmission && through))))
+                return from(Effect::patterns, &used, "has a coefficient with a pattern", "");
+        }
+        add(Effect::patterns, false, "no coefficient that counts has a pattern");
+    }
+    [[nodiscard]] const UsedMaterial* first_lit() const {
+        return first(false, [](const SceneMaterial& m) {
+            return largest_of(m.diffuse, m.patterns.diffuse) > 0 ||
+                   largest_of(m.specular, m.patterns.specular) > 0;
+        });
     }
 
     void ambient() {
@@ -115,18 +171,14 @@ private:
                         lit(&SceneMaterial::ambient, &Patterns::ambient));
     }
     void shadows() {
-        const Lit local = [](const SceneMaterial& m) {
-            return largest_of(m.diffuse, m.patterns.diffuse) > 0 ||
-                   largest_of(m.specular, m.patterns.specular) > 0;
-        };
         const auto light =
             std::ranges::find_if(scene_.lights, [](const SceneLight& l) { return l.shines() && l.shadows; });
         if (!any_light_shines())
             add(Effect::shadows, false, no_light());
         else if (light == scene_.lights.end())
             add(Effect::shadows, false, "no light casts them: shadows = false");
-        else if (first(false, local) == nullptr)
-            add(Effect::shadows, false, "no drawn material answers to a light");
+        else if (first_lit() == nullptr)
+            add(Effect::shadows, false, no_answer);
         else
             add(Effect::shadows, true, fmt::format("light '{}' casts them{}", light->name, at(light->place)));
     }
@@ -134,7 +186,12 @@ private:
         const auto light = std::ranges::find_if(
             scene_.lights, [](const SceneLight& l) { return l.shines() && l.area.samples > 1; });
         if (light == scene_.lights.end())
-            add(Effect::soft_shadows, false, "no light has an area: one point of each tells");
+            add(Effect::soft_shadows, false,
+                std::ranges::any_of(scene_.lights, [](const SceneLight& l) { return l.area.samples > 1; })
+                    ? "no light with an area shines: their colours are 0"
+                    : "no light has an area: one point of each tells");
+        else if (first_lit() == nullptr)
+            add(Effect::soft_shadows, false, no_answer);
         else
             add(Effect::soft_shadows, true,
                 fmt::format("light '{}' has an area, asked at {} points{}", light->name, light->area.samples,
@@ -151,8 +208,11 @@ private:
                 if (!neighbour) neighbour = other;
             });
             if (!neighbour) continue;
+            if (!follows() && !needs(Effect::shadows))
+                return add(Effect::nested_media, false, nothing_follows);
             add(Effect::nested_media, true,
-                fmt::format("media '{}' and '{}' may share a place", title(object), title(*neighbour)));
+                fmt::format("media '{}' and '{}' may share a place{}", title(object), title(*neighbour),
+                            at(place_of(object))));
             return;
         }
         add(Effect::nested_media, false, "no two media come near each other");
@@ -160,11 +220,14 @@ private:
     void antialiasing() {
         if (scene_.camera.samples > 1)
             add(Effect::antialiasing, true,
-                fmt::format("the camera asks for up to {} samples where neighbouring pixels differ",
-                            scene_.camera.samples));
+                fmt::format("the camera asks for up to {} samples where neighbouring pixels differ{}",
+                            scene_.camera.samples, at(scene_.samples_place)));
         else
             add(Effect::antialiasing, false, "the camera asks for one sample in each pixel");
     }
+
+    static constexpr const char* nothing_follows = "max_depth is 0: no ray follows the eye's";
+    static constexpr const char* no_answer = "no drawn material answers to a light";
 
     const Scene& scene_;
     const WorldBase& world_;
@@ -182,6 +245,20 @@ EffectSet needed_effects(const std::vector<EffectNeed>& needs) {
     EffectSet set;
     for (const EffectNeed& need : needs) set.set(need.effect, need.needed);
     return set;
+}
+
+World<double> world_as_needed(const Scene& scene) {
+    World<double> world = build(scene);
+    const EffectSet needed = needed_effects(effect_needs(scene, world));
+    world.absorbs = world.absorbs && needed.has(Effect::absorption);
+    bool adds = false;
+    for (std::size_t i = 0; i < effect_names.size(); ++i) {
+        const auto effect = Effect(i);
+        adds = adds || (needed.has(effect) &&
+                        std::ranges::find(of_the_classic_tracer, effect) == of_the_classic_tracer.end());
+    }
+    world.effects = adds ? EffectMask::all : EffectMask::classic;
+    return world;
 }
 
 } // namespace rayscope

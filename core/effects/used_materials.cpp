@@ -2,16 +2,16 @@
 
 #include "core/scene/expand.hpp"
 
-#include <map>
+#include <optional>
 
 namespace rayscope {
 
 std::vector<UsedMaterial> used_materials(const Scene& scene) {
-    std::map<std::size_t, UsedMaterial> found;
+    std::vector<std::optional<UsedMaterial>> found(scene.materials.size());
     const auto add = [&](const std::optional<std::size_t>& material, std::size_t object, bool is_object) {
         if (!material) return;
-        const auto [at, fresh] = found.try_emplace(*material, UsedMaterial{*material, object, is_object});
-        if (!fresh && is_object && !at->second.is_object) at->second = {*material, object, true};
+        std::optional<UsedMaterial>& used = found[*material];
+        if (!used || (is_object && !used->is_object)) used = {*material, object, is_object};
     };
     for (std::size_t i = 0; i < scene.drawn.size(); ++i) {
         const SceneObject& drawn = scene.drawn[i];
@@ -24,7 +24,8 @@ std::vector<UsedMaterial> used_materials(const Scene& scene) {
             if (node.operation == Operation::leaf) add(node.material, i, false);
     }
     std::vector<UsedMaterial> used;
-    for (const auto& entry : found) used.push_back(entry.second);
+    for (const auto& entry : found)
+        if (entry) used.push_back(*entry);
     return used;
 }
 

@@ -27,6 +27,7 @@ struct Dispersion {
         const auto& c = coefficients;
         return formula == Formula::cauchy ? c[1] != 0 || c[2] != 0 : formula == Formula::sellmeier;
     }
+    [[nodiscard]] bool operator==(const Dispersion&) const = default;
     /// @param wavelength in a vacuum, nm
     /// @return n; of Sellmeier's formula NaN where it has no meaning
     [[nodiscard]] double index(double wavelength) const;

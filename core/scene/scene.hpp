@@ -91,6 +91,7 @@ struct Limits {
 struct Scene {
     std::string file;
     Camera camera;
+    Place samples_place; ///< of the camera's, where they are asked for
     Colour background{0};
     Colour ambient{1};
     bool shadows = true;      ///< of lights that say nothing else
@@ -100,6 +101,8 @@ struct Scene {
     std::optional<EffectSet>
         effects;          ///< those that the author wants, and no other; none: those that the scene calls for
     EffectSet taken_away; ///< of those that the scene calls for: a person wanted none of them
+    EffectSet went_along; ///< of those that the scene calls for: what called for them was taken away
+    EffectSet added;      ///< that the scene does not call for: a person wanted them
     std::optional<std::pair<int, int>> step_pixel;
     std::vector<SceneLight> lights;
     std::vector<SceneMaterial> materials;

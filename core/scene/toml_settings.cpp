@@ -84,7 +84,10 @@ void read_camera(const TomlTable& root, Scene& scene) {
     if (const auto look_at = table.find("look_at")) camera.look_at = look_at->vector();
     if (const auto up = table.find("up")) camera.up = up->vector();
     if (const auto angle = table.find("field_of_view")) camera.field_of_view = angle->number({0, 180, true});
-    if (const auto samples = table.find("samples")) camera.samples = samples->integer(1, most_samples);
+    if (const auto samples = table.find("samples")) {
+        camera.samples = samples->integer(1, most_samples);
+        scene.samples_place = samples->place();
+    }
     if (const auto resolution = table.find("resolution")) read_resolution(*resolution, camera);
     // Of the three keys that make the view, blame one that is written.
     const auto blamed = table.find("up")    ? table.find("up")

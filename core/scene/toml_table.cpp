@@ -56,9 +56,8 @@ void TomlTable::allow_only(std::string_view what, const std::vector<std::string_
     for (const TomlEntry& entry : entries()) {
         if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
         if (const auto effect = not_simulated(entry.key); !effect.empty())
-            source_->fail(entry.place,
-                          fmt::format("{}: {} is beyond what rayscope simulates; take the key away",
-                                      in_quotes(entry.key), effect));
+            source_->fail(entry.place, fmt::format("{}: rayscope does not simulate {}; take the key away",
+                                                   in_quotes(entry.key), effect));
         const std::string hint = did_you_mean(entry.key, keys);
         source_->fail(entry.place, fmt::format("{} has no key {}{}", what, in_quotes(entry.key),
                                                hint.empty() ? "; expected " + one_of(keys) : hint));

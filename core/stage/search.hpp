@@ -100,8 +100,30 @@ private:
     T reach_;
 };
 
+/// Boundaries that coincide are crossed at once, as by every other ray (see first_in_file): one of them is kept. The
+/// schoolbook keeps all.
+template <Numbers N, Scalar T = ScalarOf<N>>
+[[gnu::noinline]] void put_in_order(const World<N>& world, const Ray<T>& ray,
+                                    std::vector<Blocker<T>>& blockers) {
+    std::sort(blockers.begin(), blockers.end(),
+              [](const auto& a, const auto& b) { return a.t < b.t || (a.t == b.t && a.object < b.object); });
+    if (is_textbook<N>) return;
+    const auto crossing = [](const Blocker<T>& b) { return Crossing<T>{b.t, b.surface, b.entering}; };
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < blockers.size();) {
+        const Blocker<T> nearest = blockers[i];
+        blockers[kept] = nearest;
+        for (++i; i < blockers.size() && blockers[i].object != nearest.object &&
+                  coincide(world, ray, crossing(nearest), crossing(blockers[i]));
+             ++i)
+            if (blockers[i].object < blockers[kept].object) blockers[kept] = blockers[i];
+        ++kept;
+    }
+    blockers.resize(kept);
+}
+
 /// Whether an opaque object has a crossing in the range. If there is none, work.blockers holds the crossings of
-/// transmitting objects in the range, by (t, object).
+/// transmitting objects in the range, by (t, object); of those that coincide, that of the object which is first in the file.
 template <Numbers N, typename Recorder> class BlockerSearch : public SearchNotes<Recorder::enabled> {
 public:
     using T = ScalarOf<N>;
@@ -138,10 +160,7 @@ public:
         return this->end_of_way();
     }
     [[nodiscard]] bool result() {
-        if (!blocked_ && work_.blockers.size() > 1)
-            std::sort(work_.blockers.begin(), work_.blockers.end(), [](const auto& a, const auto& b) {
-                return a.t < b.t || (a.t == b.t && a.object < b.object);
-            });
+        if (!blocked_ && work_.blockers.size() > 1) put_in_order(world_, ray_, work_.blockers);
         return blocked_;
     }
     [[nodiscard]] const Ray<T>& ray() const { return ray_; }
@@ -161,10 +180,10 @@ private:
         if (start != nullptr && left_for_good(world_, ray_, *start, work_)) return;
         const auto list = crossings(world_, object, ray_, start, work_);
         if (const auto first = first_crossing(world_, ray_, list, range_, start)) {
-            work_.blockers.push_back({first->t, object, first->surface});
+            work_.blockers.push_back({first->t, object, first->surface, first->entering});
             for (const Crossing<T>& c : list)
                 if (c.t > first->t && range_.contains(c.t))
-                    work_.blockers.push_back({c.t, object, c.surface});
+                    work_.blockers.push_back({c.t, object, c.surface, c.entering});
         }
     }
     // Most are missed, and their materials need not be asked for.
@@ -173,10 +192,10 @@ private:
         if (!first) return;
         blocked_ = !world_.material_of(object).transmits();
         if (blocked_) return;
-        work_.blockers.push_back({first->t, object, first->surface});
+        work_.blockers.push_back({first->t, object, first->surface, first->entering});
         for (const Interval<T>& inside : ball.intervals(ray_))
             if (inside.exit > first->t && range_.contains(inside.exit))
-                work_.blockers.push_back({inside.exit, object, ball.surface(inside.exit_face)});
+                work_.blockers.push_back({inside.exit, object, ball.surface(inside.exit_face), false});
     }
 
     const World<N>& world_;

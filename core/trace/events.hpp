@@ -237,7 +237,7 @@ struct NotSpawned {
     RayKind kind = RayKind::reflected;
     Reason reason = Reason::coefficient_zero;
     double coefficient = 0; ///< largest component
-    double weight = 0;      ///< what the ray's weight would have been
+    Colour weight{0};       ///< what the ray's weight would have been
 };
 
 /// A ray's end: the colour that it brings back, before its parent's coefficient.

@@ -27,14 +27,18 @@ struct DroppedRays {
 struct Ledger {
     std::map<LightSource, Colour> sources; ///< as it arrives at the eye: they add up to `total`
     std::map<std::pair<RayKind, Reason>, DroppedRays> dropped;
-    Colour absorbed{0}; ///< light that media swallowed, as it would have arrived
+    Colour absorbed{
+        0}; ///< what would have arrived besides, had no medium on the rays' way from the eye swallowed any
     Colour total{0};
 };
 
 /// Of one sample: its rays, root first. Objects are those that the events name.
 [[nodiscard]] Ledger ledger_of(const std::vector<TracedRay>& rays);
 
-/// Of several samples together.
+/// Of several samples or pixels together.
 Ledger& operator+=(Ledger& sum, const Ledger& more);
+
+/// What was added up `parts` times becomes the mean; rays stay counted.
+Ledger& operator/=(Ledger& sum, double parts);
 
 } // namespace rayscope

@@ -8,7 +8,7 @@
 namespace rayscope {
 
 /// Version of the schema that to_json writes; from_json accepts this one only.
-inline constexpr int trace_schema_version = 3;
+inline constexpr int trace_schema_version = 4;
 /// The member "format" of every trace.
 inline constexpr const char* trace_format_name = "rayscope-trace";
 

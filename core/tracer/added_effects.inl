@@ -71,17 +71,24 @@ void Tracer<N, Stage, Recorder, Order, mask>::add_area_light(Colour& colour, Id 
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
 Colour Tracer<N, Stage, Recorder, Order, mask>::passing_with_effects(const Blocker<T>& blocker,
-                                                                     const Ray<T>& ray) const {
+                                                                     const Ray<T>& ray,
+                                                                     const Leaving<T>& leaving) {
     const Material& material = world_.material_of(blocker.object);
     const Solid<N>& solid = world_.solids[blocker.surface.solid];
     if (material.mirror != Mirror::constant) {
-        // By the angle outside, on the way in and out alike: the way of the light that is not bent is the same.
+        const Hit<T> hit{blocker.t, blocker.object, blocker.surface, blocker.entering, false};
+        const MediaPair media = media_at(world_, ray, hit, leaving, work_);
+        const T around = T(world_.medium_speed), from = speed_in(world_, media.from),
+                to = speed_in(world_, media.to);
+        if (from == to) return Colour{1};
+        // The ray is not bent. It leads where light in the open would; between flat walls that light runs in each medium
+        // as if it had come right out of the open.
         const Vec3<T> normal = solid.normal(ray, blocker.t, blocker.surface.face);
-        const T outside = T(world_.medium_speed), inside = T(material.speed);
-        const auto bent = refract<N>(ray.direction, normal, outside, inside);
-        const T reflected = material.mirror == Mirror::schlick
-                                ? schlick(bent, outside, inside)
-                                : fresnel<N>(bent, outside, inside).unpolarized();
+        const auto within = refract<N>(ray.direction, normal, around, from);
+        if (within.total()) return Colour{0};
+        const auto bent = refract<N>(within.direction, normal, from, to);
+        const T reflected = material.mirror == Mirror::schlick ? schlick(bent, from, to)
+                                                               : fresnel<N>(bent, from, to).unpolarized();
         return Colour{1 - double(reflected)};
     }
     if (material.patterns != none)
@@ -92,10 +99,12 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::passing_with_effects(const Block
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
 bool Tracer<N, Stage, Recorder, Order, mask>::spreads(const MediaPair& media) const {
-    const auto spreads = [&](Id medium) {
-        return medium != none && world_.material_of(std::uint32_t(medium)).dispersion.spreads();
+    const auto dispersion = [&](Id medium) {
+        return medium == none ? Dispersion{} : world_.material_of(std::uint32_t(medium)).dispersion;
     };
-    return media.from != media.to && (spreads(media.from) || spreads(media.to));
+    const Dispersion from = dispersion(media.from), to = dispersion(media.to);
+    // Between two media of the same kind no colour is bent.
+    return (from.spreads() || to.spreads()) && from != to;
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
@@ -109,7 +118,7 @@ auto Tracer<N, Stage, Recorder, Order, mask>::aside(const LightPoint& point, con
                                                     const Budget& budget) const -> Vec3<T> {
     const std::uint32_t seed = mixed(mixed(budget.path, area_stream), std::uint32_t(point.id));
     return as<T>(world_.lights[std::size_t(point.id)].area.offset(
-        hashed_sobol(std::uint32_t(point.sample), seed), as<double>(normalized(to_centre))));
+        hashed_sobol(std::uint32_t(point.sample), seed), as<double>(to_centre)));
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
@@ -189,9 +198,9 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::absorbed(const Ray<T>& ray, Id m
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>
 Colour Tracer<N, Stage, Recorder, Order, mask>::absorbed_to_light(const Ray<T>& ray, T distance,
-                                                                  const Leaving<T>& leaving) {
+                                                                  const Interaction<N>& at) {
     Colour seen{1};
-    AbsorbedWay<N>().walk(world_, ray, distance, leaving, work_,
+    AbsorbedWay<N>().walk(world_, ray, distance, at.back, at.media.from, work_,
                           [&](Id medium, double way, const Colour& passed) {
                               if constexpr (Recorder::enabled)
                                   recorder_.record(Absorbed{medium, way, passed});

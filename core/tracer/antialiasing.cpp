@@ -3,7 +3,10 @@
 #include "core/image/srgb.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 namespace rayscope {
 namespace {
@@ -33,17 +36,7 @@ ShownImage::ShownImage(const Image& image) : width_(image.width), height_(image.
 
 void ShownImage::set(int x, int y, const Colour& colour) { bytes_[place(x, y)] = srgb_bytes(colour); }
 
-ColourSpread::ColourSpread(const Colour& first) : low_(srgb_bytes(first)), high_(low_) {}
-
-void ColourSpread::add(const Colour& colour) {
-    const auto bytes = srgb_bytes(colour);
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        low_[i] = std::min(low_[i], bytes[i]);
-        high_[i] = std::max(high_[i], bytes[i]);
-    }
-}
-
-int ColourSpread::steps() const { return steps_between(low_, high_); }
+int ColourSpread::steps() const { return steps_between(srgb_bytes(colours_.low), srgb_bytes(colours_.high)); }
 
 Contrasts contrasts(const ShownImage& image, const std::vector<FirstSeen>& seen) {
     Contrasts contrasts(image.size());
@@ -67,6 +60,25 @@ Contrasts contrasts_beside(const ShownImage& image, const Map& samples, const Co
         contrasts[other] = std::max(contrasts[other], std::uint8_t(steps));
     });
     return contrasts;
+}
+
+EnoughSamples enough_samples(const Contrasts& contrasts) {
+    std::array<double, 256> squares{}; // of all pixels with such a contrast
+    for (const std::uint8_t contrast : contrasts) squares[contrast] += double(contrast) * contrast;
+    const auto up_to = [&](int contrast) {
+        return std::accumulate(squares.begin(), squares.begin() + contrast + 1, 0.0);
+    };
+    // What a quarter and a half of the samples add to the square of an error.
+    const double quarter = std::pow(4, 1.5) - 1, half = std::pow(2, 1.5) - 1;
+    EnoughSamples enough;
+    for (EnoughSamples next = enough; next.for_half < 255;) {
+        next = {next.for_quarter + 1, next.for_half + 3};
+        const double by_quarter = up_to(next.for_quarter);
+        const double added = quarter * by_quarter + half * (up_to(next.for_half) - by_quarter);
+        if (added > up_to(255) / 20) break;
+        enough = next;
+    }
+    return enough;
 }
 
 } // namespace rayscope

@@ -3,6 +3,7 @@
 
 #include "core/image/image.hpp"
 #include "core/image/map.hpp"
+#include "core/math/box.hpp"
 #include "core/tracer/tracer.hpp"
 
 #include <algorithm>
@@ -55,17 +56,17 @@ using Contrasts = std::vector<std::uint8_t>;
 [[nodiscard]] Contrasts contrasts_beside(const ShownImage& image, const Map& samples,
                                          const Contrasts& refined);
 
-/// The least and the largest of some colours, as an image file shows them.
+/// The least and the largest of some colours, in each primary.
 class ColourSpread {
 public:
-    explicit ColourSpread(const Colour& first);
+    explicit ColourSpread(const Colour& first) { add(first); }
 
-    void add(const Colour& colour);
-    /// Between the two that are the farthest apart, in any primary.
+    void add(const Colour& colour) { colours_.include(colour); }
+    /// Between the two, as an image file shows them.
     [[nodiscard]] int steps() const;
 
 private:
-    ShownImage::Bytes low_, high_;
+    Box<double> colours_;
 };
 
 /// A pixel's colour and how many samples it is the mean of.
@@ -74,6 +75,15 @@ struct RefinedPixel {
     int samples;
 };
 
+/// Contrasts, in steps of an image file's bytes, up to which a pixel has enough with a quarter of the samples, and with a
+/// half of them.
+struct EnoughSamples {
+    int for_quarter = 8, for_half = 24; // measured: not less in any image
+};
+/// An image's error is that of its sharp edges: what is slight beside them may keep more of its own, as long as that adds no
+/// more than a twentieth to the squares of all errors. The error of n samples goes with n^(−3/4) (Mitchell 1996).
+[[nodiscard]] EnoughSamples enough_samples(const Contrasts& contrasts);
+
 /// Where a pixel differs little from its neighbours and its samples from each other, a quarter of them tells its colour as
 /// well, somewhat more, a half: the error of a mean is a share of what is averaged. Samples that are alike say nothing by
 /// themselves: at an edge, all may lie on one side.
@@ -81,8 +91,9 @@ struct RefinedPixel {
 /// @param most at most so many, and all of them where they are too few to stop early
 /// @param trace gives another one by its number
 template <typename Trace>
-[[nodiscard]] RefinedPixel refine(const Colour& first, int contrast, int most, const Trace& trace) {
-    constexpr int fewest = 4, slight = 8, moderate = 24; // samples; steps: measured
+[[nodiscard]] RefinedPixel refine(const Colour& first, int contrast, const EnoughSamples& enough, int most,
+                                  const Trace& trace) {
+    constexpr int fewest = 4;
     RefinedPixel pixel{first, 1};
     ColourSpread spread(first);
     const auto take = [&](int count) {
@@ -93,7 +104,8 @@ template <typename Trace>
         }
         return std::max(contrast, spread.steps());
     };
-    if (most / 4 < fewest || (take(most / 4) > slight && take(most / 2) > moderate)) take(most);
+    if (most / 4 < fewest || (take(most / 4) > enough.for_quarter && take(most / 2) > enough.for_half))
+        take(most);
     pixel.colour /= double(pixel.samples);
     return pixel;
 }

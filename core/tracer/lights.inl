@@ -79,14 +79,13 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::visibility(const LightPoint& lig
     if (!dark) {
         for (const Blocker<T>& blocker : work_.blockers) {
             Colour transmission = world_.material_of(blocker.object).transmission;
-            if constexpr (added) transmission = passing_with_effects(blocker, ray);
+            if constexpr (added) transmission = passing_with_effects(blocker, ray, at.back);
             if constexpr (Recorder::enabled)
                 recorder_.record(BlockerPassed{Id(blocker.object), double(blocker.t), transmission});
             seen *= transmission;
         }
         if constexpr (added)
-            if (world_.absorbs && largest_component(seen) > 0)
-                seen *= absorbed_to_light(ray, distance, at.back);
+            if (world_.absorbs && largest_component(seen) > 0) seen *= absorbed_to_light(ray, distance, at);
     }
     if constexpr (Recorder::enabled)
         recorder_.record(RayFinished{seen, seen, int(work_.counters.objects - before)});

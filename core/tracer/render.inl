@@ -84,13 +84,15 @@ private:
         result_.samples = even_map(1);
         ShownImage shown(result_.image);
         Contrasts uneven = options_.even_samples ? Contrasts(seen.size(), 255) : contrasts(shown, seen);
+        const EnoughSamples enough = enough_samples(uneven);
         RenderOptions silent = options_;
         silent.progress = nullptr;
         for (int round = 0; round < most_rounds && !uneven.empty() && result_.complete; ++round) {
             const auto is_uneven = [&](int x, int y) { return uneven[index(x, y)] > 0; };
             pass(round == 0 ? options_ : silent, is_uneven, [&](auto& tracer, int x, int y) {
-                const RefinedPixel pixel = refine(result_.image.at(x, y), uneven[index(x, y)], samples_,
-                                                  [&](int sample) { return trace(tracer, {x, y, sample}); });
+                const RefinedPixel pixel =
+                    refine(result_.image.at(x, y), uneven[index(x, y)], enough, samples_,
+                           [&](int sample) { return trace(tracer, {x, y, sample}); });
                 result_.image.set(x, y, pixel.colour);
                 shown.set(x, y, pixel.colour);
                 result_.samples.at(x, y) = float(pixel.samples);
@@ -113,11 +115,21 @@ private:
             for (int y = tile.top; y < tile.bottom; ++y) {
                 for (int x = tile.left; x < tile.right; ++x) {
                     if (!wanted(x, y)) continue;
-                    std::optional<HeatMeter> meter;
-                    if (options_.heat && !is_of_trace(*options_.heat))
-                        meter.emplace(*options_.heat, work.counters);
-                    pixel(tracer, x, y);
-                    if (meter) add_heat(x, y, meter->value());
+                    if (!options_.heat || is_of_trace(*options_.heat)) {
+                        pixel(tracer, x, y);
+                        continue;
+                    }
+                    const Counters before = work.counters;
+                    const auto measured = [&] {
+                        work.counters = before;
+                        const HeatMeter meter(*options_.heat, work.counters);
+                        pixel(tracer, x, y);
+                        return meter.value();
+                    };
+                    float heat = measured();
+                    // The first time, the processor's caches are cold, or another program comes between.
+                    if (options_.heat == Heat::time && samples_ == 1) heat = std::min(heat, measured());
+                    add_heat(x, y, heat);
                 }
             }
         });

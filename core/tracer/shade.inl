@@ -205,8 +205,8 @@ void Tracer<N, Stage, Recorder, Order, mask>::refuse(RayKind kind, Reason reason
         if constexpr (Order::waits) order_.lose(budget.weight * coefficient);
     }
     if constexpr (Recorder::enabled)
-        recorder_.record(NotSpawned{kind, reason, largest_component(coefficient),
-                                    largest_component(budget.weight * coefficient)});
+        recorder_.record(
+            NotSpawned{kind, reason, largest_component(coefficient), budget.weight * coefficient});
 }
 
 } // namespace rayscope

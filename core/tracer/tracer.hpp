@@ -164,8 +164,8 @@ private:
     void add_boundary_light_with_effects(Colour& colour, const Interaction<N>& at, const Budget& budget);
     [[gnu::noinline]] void add_area_light(Colour& colour, Id light, const Interaction<N>& at,
                                           const Budget& budget);
-    [[nodiscard, gnu::noinline]] Colour passing_with_effects(const Blocker<T>& blocker,
-                                                             const Ray<T>& ray) const;
+    [[nodiscard, gnu::noinline]] Colour passing_with_effects(const Blocker<T>& blocker, const Ray<T>& ray,
+                                                             const Leaving<T>& leaving);
     [[nodiscard]] bool spreads(const MediaPair& media) const;
     [[nodiscard]] T speed_at(Id medium, double wavelength) const;
     [[nodiscard, gnu::noinline]] Vec3<T> aside(const LightPoint& point, const Vec3<T>& to_centre,
@@ -177,7 +177,7 @@ private:
     [[gnu::noinline]] void add_spread_light(Colour& colour, const Interaction<N>& at, const Budget& budget);
     [[nodiscard, gnu::noinline]] Colour absorbed(const Ray<T>& ray, Id medium, T t);
     [[nodiscard, gnu::noinline]] Colour absorbed_to_light(const Ray<T>& ray, T distance,
-                                                          const Leaving<T>& leaving);
+                                                          const Interaction<N>& at);
 
     const World<N>& world_;
     const Stage& stage_;

@@ -30,9 +30,12 @@ Vec3d LightArea::offset(const SquarePoint& square, const Vec3d& towards) const {
         return radius * (p.x * u + p.y * v);
     }
     case Shape::sphere: {
+        // Seen from the distance d, a sphere's outline has the angle asin(radius / d), and a disk's atan.
         const DiskPoint p = on_disk(square);
-        const Vec3d sideways = across(towards);
-        return radius * (p.x * sideways + p.y * cross(towards, sideways));
+        const double distance = length(towards), sine = radius / distance;
+        const Vec3d forward = towards / distance, sideways = across(forward);
+        const double seen = sine < 1 ? radius / std::sqrt((1 - sine) * (1 + sine)) : radius;
+        return seen * (p.x * sideways + p.y * cross(forward, sideways));
     }
     case Shape::point: break;
     }

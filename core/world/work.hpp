@@ -137,6 +137,7 @@ template <Scalar T> struct Blocker {
     T t;
     std::uint32_t object;
     Surface surface;
+    bool entering;
 };
 
 /// Which objects the present ray was tested against: a stage may list one in several places.

@@ -157,7 +157,7 @@ TEST(Samples, follow_an_edge_to_where_no_middle_sees_it) {
 
 TEST(Samples, are_fewer_where_there_is_little_to_tell) {
     const auto taken = [](int contrast, double most, int count) {
-        return refine(Colour{0.5}, contrast, count,
+        return refine(Colour{0.5}, contrast, {}, count,
                       [&](int sample) { return Colour{0.5 + most * (sample % 2)}; })
             .samples;
     };
@@ -168,6 +168,27 @@ TEST(Samples, are_fewer_where_there_is_little_to_tell) {
     EXPECT_EQ(taken(4, 0, 64), 16);
     EXPECT_EQ(taken(1, 0, 12), 12); // too few to leave any out
     EXPECT_EQ(taken(1, 0, 2), 2);
+}
+
+TEST(Samples, are_fewer_beside_sharp_edges_and_not_without_them) {
+    const auto all_of = [](int contrast) { return Contrasts(1000, std::uint8_t(contrast)); };
+    // Where all edges are alike, none is slight but for those that always are.
+    for (const int contrast : {100, 255}) EXPECT_LT(enough_samples(all_of(contrast)).for_half, contrast);
+    EXPECT_EQ(enough_samples(all_of(20)).for_quarter, 8);
+    EXPECT_EQ(enough_samples(all_of(20)).for_half, 24);
+    Contrasts mixed = all_of(255);
+    mixed.insert(mixed.end(), 1000, 20);
+    const EnoughSamples enough = enough_samples(mixed);
+    EXPECT_GE(enough.for_quarter, 20);
+    EXPECT_LT(enough.for_half, 255);
+    // What ends early adds no more than a twentieth to the squares of all errors.
+    double added = 0, all = 0;
+    for (const std::uint8_t c : mixed) {
+        const double square = double(c) * c;
+        all += square;
+        added += c <= enough.for_quarter ? 7 * square : c <= enough.for_half ? 1.83 * square : 0;
+    }
+    EXPECT_LE(added, all / 20);
 }
 
 } // namespace

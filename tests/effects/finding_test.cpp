@@ -66,7 +66,9 @@ TEST(Needs, of_a_scene_with_everything_name_who_calls) {
     EXPECT_THAT(need(needs, Effect::fresnel).reason, HasSubstr("scene.toml:9"));
     EXPECT_THAT(need(needs, Effect::patterns).reason, HasSubstr("'floor' of 'ground'"));
     EXPECT_THAT(need(needs, Effect::nested_media).reason, HasSubstr("'ball' and 'drop'"));
+    EXPECT_THAT(need(needs, Effect::nested_media).reason, HasSubstr("scene.toml:21"));
     EXPECT_THAT(need(needs, Effect::antialiasing).reason, HasSubstr("9 samples"));
+    EXPECT_THAT(need(needs, Effect::antialiasing).reason, HasSubstr("scene.toml:5"));
 }
 
 TEST(Needs, of_a_plain_scene_are_few_and_the_others_have_a_reason) {
@@ -119,6 +121,47 @@ is = "ball - hole"
 material = "stone"
 )");
     EXPECT_FALSE(need(needs, Effect::refraction).needed);
+}
+
+// A scene in which nothing can come of it: no such effect, and the classic tracer.
+void expect_unneeded(Effect effect, const std::string& text) {
+    const Workbench bench = make_workbench(parse_toml(text, "scene.toml"));
+    const auto needs = effect_needs(bench.scene, bench.world);
+    EXPECT_FALSE(need(needs, effect).needed) << need(needs, effect).reason;
+    EXPECT_EQ(bench.world.effects, EffectMask::classic) << need(needs, effect).reason;
+}
+
+TEST(Needs, of_what_can_not_show_are_none) {
+    const std::string lamp = "[lights.lamp]\nposition = [3, 3, 6]\nsphere = 1\n";
+    const std::string ball = "[generics.ball]\nshape = \"sphere\"\nmaterial = \"m\"\n";
+    const std::string sheet =
+        "[generics.sheet]\nshape = \"triangle\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, "
+        "0]]\nmaterial = \"m\"\n";
+    const std::string mirror = "[materials.m]\nambient = 0\ndiffuse = 0\nreflection = 0.9\n";
+    expect_unneeded(Effect::soft_shadows, lamp + mirror + ball);
+    expect_unneeded(Effect::patterns,
+                    "[scene]\nambient = 0\n[materials.m]\nambient = { checker = [1, 0.2] }\n" + ball);
+    expect_unneeded(Effect::patterns, "[materials.m]\ndiffuse = { checker = [1, 0.2] }\n" + ball);
+    expect_unneeded(Effect::patterns, "[materials.m]\n[materials.o]\nreflection = { checker = [0.5, 0] "
+                                      "}\n[generics.a]\nshape = \"sphere\"\nmaterial = "
+                                      "\"o\"\n[generics.b]\nshape = \"cube\"\n[compounds.c]\nis = \"a & "
+                                      "b\"\nmaterial = \"m\"\n");
+    const std::string sooty = "[materials.m]\ntransmission = 0.5\nindex = 1.5\nabbe = 30\nabsorption = 1\n";
+    expect_unneeded(Effect::absorption, sooty + sheet);
+    expect_unneeded(Effect::dispersion, sooty + sheet);
+    const std::string two_glasses = "[materials.m]\nfresnel = true\nindex = 1.5\nabsorption = 1\n" + ball +
+                                    "[generics.box]\nshape = \"cube\"\nmaterial = \"m\"\n";
+    const std::string still = "[camera]\neye = [0, 0, 9]\n[limits]\nmax_depth = 0\n" + two_glasses;
+    for (const Effect effect : {Effect::nested_media, Effect::fresnel, Effect::absorption})
+        expect_unneeded(effect, still);
+    expect_unneeded(Effect::fresnel,
+                    "[materials.m]\n[materials.unused]\nfresnel = true\nindex = 1.5\n" + ball);
+}
+
+TEST(Needs, of_reflection_leave_total_reflection_to_refraction) {
+    const auto needs = needs_of("[materials.m]\ntransmission = 0.9\nindex = 1.5\n[generics.ball]\nshape = "
+                                "\"sphere\"\nmaterial = \"m\"\n");
+    EXPECT_THAT(need(needs, Effect::reflection).reason, HasSubstr("belongs to refraction"));
 }
 
 TEST(Rays, of_a_kind_that_nothing_calls_for_are_exactly_none) {
@@ -183,6 +226,7 @@ material = "glass"
                 testing::Contains(HasSubstr("nothing in the scene calls for it: fresnel")));
     const auto needs = effect_needs(bench.scene, bench.world);
     EXPECT_EQ(needs[std::size_t(Effect::shadows)].reason, "taken away, as it was asked");
+    EXPECT_EQ(needs[std::size_t(Effect::fresnel)].reason, "added, as it was asked");
     EXPECT_THAT(open(path, "+dispersion,-refraction").scene.warnings,
                 testing::Contains(HasSubstr("there is nothing in the scene to add it to: dispersion")));
     // The command's word is the last one.

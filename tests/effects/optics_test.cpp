@@ -175,6 +175,18 @@ TEST(Dispersion, one_ray_carries_all_colours_up_to_the_first_boundary_that_sprea
     EXPECT_GT(spread, 8);
 }
 
+TEST(Dispersion, between_two_solids_of_one_glass_is_none) {
+    SceneBuilder b;
+    const auto glass = b.clear(0, 1, 1.7);
+    b.scene().materials[glass].dispersion = Dispersion::by_abbe_number(1.7, 20);
+    b.generic(Cube<double>{}, Mat4d{1}, glass, "left");
+    b.generic(Cube<double>{}, translation({2, 0, 0}), glass, "right");
+    b.scene().limits.max_depth = 1;
+    const Trace trace = trace_ray(b.open(), {{0, 0, 0}, {1, 0.1, 0}});
+    EXPECT_EQ(trace.rays.size(), 2U);
+    EXPECT_EQ(trace.rays[1].start().kind, RayKind::refracted);
+}
+
 TEST(Lens, focuses_where_the_lensmaker_says) {
     const double radius = 20, index = 1.5, thickness = 0.02;
     SceneBuilder b;

@@ -113,6 +113,43 @@ TEST(Ledger, of_dropped_rays_of_single_wavelengths_weighs_what_they_share) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(dropped.weight[c], 0.25, 1e-12);
 }
 
+TEST(Ledger, counts_as_absorbed_what_would_have_arrived) {
+    SceneBuilder b;
+    SceneMaterial murky = SceneBuilder::dark();
+    murky.transmission = Colour{0.9};
+    murky.absorption = Colour{2, 0.5, 0};
+    b.generic(Cube<double>{}, Mat4d{1}, b.material(murky), "first");
+    b.generic(Cube<double>{}, translation({0, 0, 4}), b.material(murky), "second");
+    b.scene().background = Colour{1};
+    const Ray<double> ray{{0.1, 0.2, -5}, {0, 0, 1}};
+    const Ledger with = ledger_of(trace_ray(b.open(), ray).rays);
+    for (SceneMaterial& m : b.scene().materials) m.absorption = Colour{0};
+    const Ledger without = ledger_of(trace_ray(b.open(), ray).rays);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(with.total[c] + with.absorbed[c], without.total[c], 1e-12);
+}
+
+TEST(Ledger, of_dropped_rays_keeps_their_colours) {
+    SceneBuilder b;
+    SceneMaterial mirror = SceneBuilder::dark();
+    mirror.reflection = {0.9, 0.1, 0};
+    b.generic(Sphere<double>{}, Mat4d{1}, b.material(mirror), "ball");
+    b.scene().limits.max_depth = 0;
+    const Ledger ledger = ledger_of(trace_ray(b.open(), {{0, 0, 5}, {0, 0, -1}}).rays);
+    EXPECT_EQ(ledger.dropped.at({RayKind::reflected, Reason::depth}).weight, mirror.reflection);
+}
+
+TEST(Ledger, of_an_image_is_that_of_all_its_samples) {
+    Scene scene = still_life();
+    scene.camera.samples = 8;
+    const Workbench bench = make_workbench(scene);
+    const Image image = render(bench, RenderOptions{}).image;
+    Colour mean{0};
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) mean += image.at(x, y) / double(image.width * image.height);
+    const Ledger book = ledger(bench);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(book.total[c], mean[c], 1e-6);
+}
+
 TEST(Trace, of_a_sample_is_the_images) {
     for (std::size_t i = 0; i < effect_names.size(); ++i) {
         Scene scene = still_life();

@@ -10,13 +10,13 @@ namespace {
 constexpr double light_height = 10, edge_height = 4, half_width = 1;
 
 // A wall's edge over a floor, lit by a light of a given shape: how much of it the floor at x sees.
-double seen_at(double x, LightArea::Shape shape, int samples) {
+double seen_at(double x, LightArea::Shape shape, int samples, double radius = half_width) {
     SceneMaterial matt = SceneBuilder::dark();
     matt.diffuse = Colour{1};
     SceneBuilder b;
     SceneLight& lamp = b.light({0, 0, light_height});
     lamp.area.shape = shape;
-    lamp.area.radius = half_width;
+    lamp.area.radius = radius;
     lamp.area.u = {half_width, 0, 0};
     lamp.area.v = {0, half_width, 0};
     if (shape == LightArea::Shape::disk) {
@@ -54,6 +54,15 @@ TEST(Penumbra, is_as_wide_as_similar_triangles_make_it) {
                                         : 0.5 + (s * std::sqrt(1 - s * s) + std::asin(s)) / 3.14159265358979;
             EXPECT_NEAR(seen_at(x, shape, samples), expected, 2.0 / std::sqrt(samples)) << x;
         }
+    }
+}
+
+TEST(Penumbra, of_a_sphere_begins_where_a_ray_from_the_edge_touches_it) {
+    for (const double radius : {0.5, 2.0, 5.0}) {
+        // The angle between the ways from the edge to the centre and past the sphere.
+        const double reach = edge_height * std::tan(std::asin(radius / (light_height - edge_height)));
+        EXPECT_EQ(seen_at(-reach * 1.01, LightArea::Shape::sphere, 1024, radius), 0) << radius;
+        EXPECT_GT(seen_at(-reach * 0.9, LightArea::Shape::sphere, 1024, radius), 0) << radius;
     }
 }
 

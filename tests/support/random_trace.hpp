@@ -69,7 +69,7 @@ inline Event any_event(const Trace& trace) {
         return Refracted{any_vector(), any_double(), any_double(), any_double(),
                          any_double(), any_vector(), any_double()};
     case 12: return TotallyReflected{any_vector(), any_double(), any_double(), any_double(), any_double()};
-    case 13: return NotSpawned{RayKind(any_below(4)), reason(), any_double(), any_double()};
+    case 13: return NotSpawned{RayKind(any_below(4)), reason(), any_double(), any_vector()};
     case 14: return SearchBegan{StageKind(any_below(6)), any_int()};
     case 15:
         return PlaceEntered{PlaceKind(any_below(7)),

@@ -49,7 +49,7 @@ Trace simple() {
                    {1, 2},
                    {eye, NodeEvaluated{0, 0, 1}, SpanFound{{4, 0}, {6, 0}}, ObjectAccepted{0, 4}, hit,
                     AmbientLit{}, lit, Reflected{Colour{0.5}, 0, {0, 0, 1}},
-                    NotSpawned{RayKind::refracted, Reason::coefficient_zero, 0, 0}, RayFinished{}}},
+                    NotSpawned{RayKind::refracted, Reason::coefficient_zero, 0, Colour{0}}, RayFinished{}}},
                   {0, {}, {shadow, RayFinished{Colour{1}, Colour{1}, 2, 2}}},
                   {0, {}, {mirrored, Missed{}, RayFinished{}}}};
     return trace;
@@ -156,7 +156,7 @@ TEST(Divergence, AnyOtherAnswerIsOne) {
         {Answer::visibility, 1, [](Trace& t) { event<RayFinished>(t, 1).colour = Colour{0}; }},
         {Answer::total, 0, [](Trace& t) { t.rays[0].events.push_back(TotallyReflected{}); }},
         {Answer::followed, 0,
-         [](Trace& t) { t.rays[0].events[7] = NotSpawned{RayKind::reflected, Reason::depth, 0, 0}; }},
+         [](Trace& t) { t.rays[0].events[7] = NotSpawned{RayKind::reflected, Reason::depth, 0, Colour{0}}; }},
         {Answer::followed, 0, [](Trace& t) { event<NotSpawned>(t, 0).reason = Reason::weight; }},
         {Answer::weight, 2, [](Trace& t) { event<RaySpawned>(t, 2).weight = Colour{0.25}; }},
         {Answer::origin, 0, [](Trace& t) { event<RaySpawned>(t, 0).origin.x = 1; }},

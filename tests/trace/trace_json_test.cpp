@@ -101,7 +101,7 @@ TEST(TraceJson, messages_say_where_and_what) {
     EXPECT_EQ(complaint("/rays/0/events/1/event", "dreamt"),
               "rays[0].events[1].event: expected the name of an event, found \"dreamt\"");
     EXPECT_EQ(complaint("/source/colour", 1), "source: unknown member 'colour'");
-    EXPECT_EQ(complaint("/version", 2), "version: expected 3, found 2");
+    EXPECT_EQ(complaint("/version", 2), "version: expected 4, found 2");
     EXPECT_EQ(complaint("/min_weight", "little"),
               "min_weight: expected a number, \"inf\", \"-inf\" or \"nan\", found \"little\"");
     EXPECT_EQ(complaint("/rays/0/events/1/object", 7),

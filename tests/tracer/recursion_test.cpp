@@ -60,7 +60,7 @@ TEST(Recursion, ends_below_the_least_weight_and_not_at_it) {
     b.scene().limits.min_weight = 0.2;
     EXPECT_EQ(b.seen(), 1.75);
     EXPECT_EQ(last_refusal(b.trace(), RayKind::reflected)->reason, Reason::weight);
-    EXPECT_EQ(last_refusal(b.trace(), RayKind::reflected)->weight, 0.125);
+    EXPECT_EQ(last_refusal(b.trace(), RayKind::reflected)->weight, Colour{0.125});
     b.scene().limits.min_weight = 0.25;
     EXPECT_EQ(b.seen(), 1.75);
     b.scene().limits.min_weight = std::nextafter(0.25, 1);

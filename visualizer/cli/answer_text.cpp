@@ -50,7 +50,7 @@ std::string follow_text(const TracedRay& ray, RayKind kind, const Numbers& numbe
     for (const Event& event : ray.events)
         if (const auto* refused = std::get_if<NotSpawned>(&event);
             refused != nullptr && refused->kind == kind)
-            return refusal_text(refused->reason) + (", weight " + number(refused->weight));
+            return refusal_text(refused->reason) + (", weight " + number.colour(refused->weight));
     return "followed";
 }
 

@@ -120,7 +120,7 @@ public:
     }
     std::string operator()(const NotSpawned& e) const {
         return "no " + std::string(name_of(e.kind)) + " ray: " + word(e.reason) + " (coefficient " +
-               number_(e.coefficient) + ", weight " + number_(e.weight) + ")";
+               number_(e.coefficient) + ", weight " + number_.colour(e.weight) + ")";
     }
     std::string operator()(const RayFinished& e) const {
         if (ray_.start().kind == RayKind::shadow)

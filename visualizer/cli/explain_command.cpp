@@ -42,14 +42,17 @@ std::vector<std::pair<Effect, Colour>> light_off(const Workbench& bench, const s
     const Workbench whole = make_workbench(load_scene(path, "auto"));
     const EffectSet called_for = needs(whole), on = needs(bench);
     std::vector<std::pair<Effect, Colour>> off;
+    const auto light = [&](const Workbench& b) {
+        return ledger(b, size.width, size.height, &stop_asked_for).total;
+    };
     std::optional<Colour> with_all;
     for (std::size_t i = 0; i < effect_names.size(); ++i) {
         const auto effect = Effect(i);
         if (!called_for.has(effect) || on.has(effect)) continue;
         Scene without = whole.scene;
         take_away(effect, without);
-        if (!with_all) with_all = ledger(whole, size.width, size.height).total;
-        off.emplace_back(effect, *with_all - ledger(make_workbench(without), size.width, size.height).total);
+        if (!with_all) with_all = light(whole);
+        off.emplace_back(effect, *with_all - light(make_workbench(without)));
     }
     return off;
 }
@@ -69,16 +72,15 @@ int explain(const ExplainOptions& options) {
     const Size size = options.size.value_or(usual_size(bench.scene.camera));
     const RenderOptions tracing = render_options(size, options.threads);
     const RenderResult result = render(bench, tracing);
-    if (!result.complete) return interrupted;
+    if (!result.complete) return stopped();
     add_rays(page, result);
     if (options.energy) {
         const auto name = [&](Id object) {
             return object_title(bench.scene, bench.scene.drawn[std::size_t(object)]);
         };
-        add_ledger(page, ledger(bench, size.width, size.height), name, Numbers(3));
-        if (bench.scene.camera.samples > 1)
-            page.line("Counted of one sample in each pixel, the one in its middle.", 2);
+        add_ledger(page, ledger(bench, size.width, size.height, &stop_asked_for), name, Numbers(3));
         add_light_off(page, light_off(bench, path, size), Numbers(3));
+        if (stop_asked_for) return stopped();
     }
     if (options.cost) {
         EffectCostOptions measuring;
@@ -91,10 +93,7 @@ int explain(const ExplainOptions& options) {
             costs =
                 effect_costs(bench.scene, needed_effects(effect_needs(bench.scene, bench.world)), measuring);
         }
-        if (!costs.complete) {
-            std::fputs("rayscope: stopped; nothing was written\n", stderr);
-            return interrupted;
-        }
+        if (!costs.complete) return stopped();
         add_costs(page, costs);
         if (options.output) write_effects(bench.scene.file, costs, *options.output);
     }

@@ -29,21 +29,37 @@ std::string limit_text(Reason reason) {
 
 void add_effects(Page& page, const Workbench& bench) {
     const auto needs = effect_needs(bench.scene, bench.world);
-    for (const bool needed : {true, false}) {
-        page.heading(needed ? "Simulated, since the scene calls for it" : "Not simulated");
+    const auto list = [&](const char* heading, const auto& holds) {
+        if (std::ranges::none_of(needs, holds)) return;
+        page.heading(heading);
         for (const EffectNeed& need : needs)
-            if (need.needed == needed)
+            if (holds(need))
                 page.item(std::string(effect_names[std::size_t(need.effect)].name),
-                          needed ? reason_text(need) : need.reason);
-    }
+                          need.needed ? reason_text(need) : need.reason);
+    };
+    const auto is_added = [&](const EffectNeed& n) { return n.needed && bench.scene.added.has(n.effect); };
+    list("Simulated, since the scene calls for it",
+         [&](const EffectNeed& n) { return n.needed && !is_added(n); });
+    list("Simulated, as it was asked", is_added);
+    list("Not simulated", [](const EffectNeed& n) { return !n.needed; });
     page.heading("How");
+    const EffectSet needed = needed_effects(needs);
+    const bool refracted = needed.has(Effect::refraction);
+    std::string kinds = "eye", none_of;
+    for (const auto& [kind, spawned] :
+         {std::pair{RayKind::reflected, refracted || needed.has(Effect::reflection)},
+          {RayKind::refracted, refracted},
+          {RayKind::shadow, needed.has(Effect::shadows)}})
+        (spawned ? kinds : none_of)
+            .append(std::string(spawned || !none_of.empty() ? ", " : "") + name_of(kind));
+    page.item("rays", kinds + (none_of.empty() ? "" : "; no " + none_of + " ones"));
     page.item("tracer", bench.world.effects == EffectMask::classic && bench.scene.camera.samples == 1
                             ? "the classic one: nothing is asked about the added effects"
                             : "the one with all effects");
     const Limits& limits = bench.scene.limits;
     page.item("limits", fmt::format("max_depth {}, min_weight {:.6g}, max_rays {} for each sample",
                                     limits.max_depth, limits.min_weight, limits.max_rays));
-    if (needed_effects(needs).has(Effect::dispersion))
+    if (needed.has(Effect::dispersion))
         page.item("spectrum",
                   fmt::format("{} {} behind the first boundary that spreads colours", limits.wavelengths,
                               limits.wavelengths == 1 ? "wavelength" : "wavelengths"));
@@ -120,7 +136,7 @@ void add_ledger(Page& page, const Ledger& ledger, const std::function<std::strin
         any = true;
         page.item(name_of(key.first), fmt::format("{} {} {}, with a weight of {} of a pixel", dropped.count,
                                                   dropped.count == 1 ? "ray" : "rays", limit_text(key.second),
-                                                  number(largest_component(dropped.weight))));
+                                                  number.colour(dropped.weight)));
     }
     if (!any) page.line("nothing: every ray with a weight was followed", 2);
 }

@@ -8,6 +8,11 @@
 
 namespace rayscope::cli {
 
+int stopped() {
+    std::fputs("rayscope: stopped; nothing was written\n", stderr);
+    return interrupted;
+}
+
 int guarded(const std::function<int()>& work) {
     try {
         return work();

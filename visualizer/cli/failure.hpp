@@ -19,6 +19,10 @@ struct ScriptError : UsageError {
     using UsageError::UsageError;
 };
 
+/// Says that Ctrl-C ended the command, and that nothing is left of it.
+/// @return the exit code
+[[nodiscard]] int stopped();
+
 /// The exit code of `work`; of what it throws, after that was told on stderr.
 [[nodiscard]] int guarded(const std::function<int()>& work);
 

@@ -74,10 +74,7 @@ int find(const FindCommandOptions& options) {
         finding.render.progress = [&](double share) { progress.show(share); };
         result = rayscope::find(bench.scene, bench.world, condition, finding);
     }
-    if (!result.complete || stop_asked_for) {
-        std::fputs("rayscope: stopped; nothing was written\n", stderr);
-        return interrupted;
-    }
+    if (!result.complete || stop_asked_for) return stopped();
     if (options.output) write_mask(result, *options.output);
     if (options.json) {
         std::printf("%s\n", as_json(bench, options, finding, condition, result).c_str());

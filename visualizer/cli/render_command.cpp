@@ -77,10 +77,7 @@ int render(const RenderCommandOptions& options) {
         tracing.progress = [&](double share) { progress.show(share); };
         result = trace(tracing);
     }
-    if (!result.complete || stop_asked_for) {
-        std::fputs("rayscope: stopped; nothing was written\n", stderr);
-        return interrupted;
-    }
+    if (!result.complete || stop_asked_for) return stopped();
     report.trace = {result.statistics.cpu_seconds, result.statistics.wall_seconds};
     report.counters = result.statistics.counters;
     report.stage = described(result.statistics.stage);

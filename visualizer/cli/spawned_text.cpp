@@ -96,7 +96,7 @@ void add_total(Page& page, const BoundaryChosen& hit, const TotallyReflected& to
 
 std::string refusal_text(const Trace& trace, const TracedRay& ray, const NotSpawned& refused,
                          const Numbers& number) {
-    const std::string would = "it would have carried the weight " + number(refused.weight);
+    const std::string would = "it would have carried the weight " + number.colour(refused.weight);
     switch (refused.reason) {
     case Reason::coefficient_zero:
         return refused.kind == RayKind::refracted

@@ -132,7 +132,8 @@ Svg energy_ledger(const Subject& subject) {
     svg.text({bars_begin - 14, y}, "dropped", {20, black, false, Anchor::end});
     svg.text({bars_begin, y},
              std::to_string(count) + " rays: together the weight of " +
-                 digits(largest_component(dropped), 1) + " of " + std::to_string(width * lines) + " pixels",
+                 digits(largest_component(dropped) * width * lines, 1) + " of " +
+                 std::to_string(width * lines) + " pixels",
              {20, black, true, Anchor::start});
     return svg;
 }

@@ -25,7 +25,7 @@ double cut_weight(const Trace& trace) {
     for (const Event& event : trace.rays.back().events)
         if (const auto* cut = std::get_if<NotSpawned>(&event);
             cut != nullptr && cut->kind == RayKind::reflected)
-            return cut->weight;
+            return largest_component(cut->weight);
     throw InputError(trace.source.scene, {}, "a figure's ray is not cut");
 }
 

@@ -68,7 +68,7 @@ QString text_of(const NotSpawned& refused, int column) {
     switch (column) {
     case name: return QString("no %1 ray").arg(drawing::kind_name(refused.kind));
     case target: return limit_of(refused);
-    case share: return share_text(refused.weight);
+    case share: return share_text(largest_component(refused.weight));
     default: return "–";
     }
 }
@@ -99,7 +99,9 @@ void RayTreeModel::show(const Trace* trace, double least) {
         if (rows_[i] < 0) continue;
         for (const Event& event : trace->rays[i].events) {
             const auto* refused = std::get_if<NotSpawned>(&event);
-            if (refused == nullptr || limit_of(*refused) == nullptr || refused->weight < least) continue;
+            if (refused == nullptr || limit_of(*refused) == nullptr ||
+                largest_component(refused->weight) < least)
+                continue;
             children_[i].push_back(int(count + cuts_.size()));
             cuts_.emplace_back(int(i), refused);
         }

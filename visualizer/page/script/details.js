@@ -41,7 +41,7 @@ const details = (() => {
           ? `n·l = ${shown(event.cosine)}, visibility ${shownColour(event.visibility)}: diffuse ${shownColour(event.diffuse)}, specular ${shownColour(event.specular)}`
           : `n·l = ${shown(event.cosine)}: behind the surface`));
       if (event.event === 'not_spawned' && event.reason !== 'coefficient_zero')
-        table.append(row('not followed', `${event.kind}: ${event.reason.replaceAll('_', ' ')}, weight ${shown(event.weight)}`));
+        table.append(row('not followed', `${event.kind}: ${event.reason.replaceAll('_', ' ')}, weight ${shownColour(event.weight)}`));
     }
     if (rays[ray].children.length > 0)
       table.append(row('spawns', ...rays[ray].children.flatMap((child, i) => i > 0 ? [', ', rayLink(child)] : [rayLink(child)])));
