@@ -65,8 +65,14 @@ void Tracer<N, Stage, Recorder, Order, mask>::add_area_light(Colour& colour, Id 
     const Vec3<T> to_centre = to_middle_of(light, at);
     LightPoint point{id, 0, light.area.samples, light.colour, light.directional};
     point.colour /= double(point.samples);
-    for (; point.sample < point.samples; ++point.sample)
-        colour += light_along<true>(point, to_centre + aside(point, to_centre, budget), at, budget);
+    int lit = 0;
+    for (; point.sample < point.samples; ++point.sample) {
+        const Colour light_of_point =
+            light_along<true>(point, to_centre + aside(point, to_centre, budget), at, budget);
+        lit += largest_component(light_of_point) > 0 ? 1 : 0;
+        colour += light_of_point;
+    }
+    if (budget.depth == 0 && lit > 0 && lit < point.samples) seen_.penumbra = true;
 }
 
 template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMask mask>

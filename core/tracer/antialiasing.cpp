@@ -15,6 +15,8 @@ namespace {
 constexpr double least_cosine = 0.95;
 // Two neighbours that are farther apart make a visible step.
 constexpr int largest_step = 3;
+// A penumbra is noise, though of smaller steps: as if it differed by so many, measured.
+constexpr std::uint8_t penumbra_contrast = 25;
 
 int steps_between(const ShownImage::Bytes& a, const ShownImage::Bytes& b) {
     int most = 0;
@@ -46,6 +48,8 @@ Contrasts contrasts(const ShownImage& image, const std::vector<FirstSeen>& seen)
         for (const std::size_t pixel : {a, b})
             contrasts[pixel] = std::max(contrasts[pixel], std::uint8_t(std::max(steps, 1)));
     });
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        if (seen[i].penumbra) contrasts[i] = std::max(contrasts[i], penumbra_contrast);
     return contrasts;
 }
 

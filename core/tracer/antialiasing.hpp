@@ -43,7 +43,8 @@ private:
 };
 
 /// For each pixel, row by row: 0 where one sample is enough; else how far its colour is from its neighbours', in steps of an
-/// image file's bytes, or 1 where only another object or another direction of the surface is seen beside it.
+/// image file's bytes, or 1 where only another object or another direction of the surface is seen beside it; in a penumbra
+/// as many as that is worth.
 using Contrasts = std::vector<std::uint8_t>;
 
 /// @param seen by the ray through each pixel's middle

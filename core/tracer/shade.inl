@@ -57,7 +57,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::shade(const RayUse& use, const R
     const Interaction<N> at = interact(world_, ray, hit, leaving, budget.medium, work_);
     if constexpr (all_effects) {
         if (adds_) { // one test for all that is added, where nothing is
-            if (budget.depth == 0) seen_ = {Id(at.hit.object), as<double>(at.facing)};
+            if (budget.depth == 0) seen_ = {Id(at.hit.object), as<double>(at.facing), false};
             if (world_.effects == EffectMask::all || keeps_brought_)
                 return shade_hit_with_effects(ray, at, budget, tested);
         }

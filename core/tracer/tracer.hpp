@@ -15,7 +15,8 @@ namespace rayscope {
 /// What an eye ray met first: what antialiasing compares with that of the neighbours.
 struct FirstSeen {
     Id object = none;
-    Vec3d normal{0}; ///< unit, against the ray
+    Vec3d normal{0};       ///< unit, against the ray
+    bool penumbra = false; ///< it sees a part of a light: how much of it is told by few points
 };
 
 /// Light, by the kind of the rays that bring it to the eye.

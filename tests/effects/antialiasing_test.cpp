@@ -191,5 +191,28 @@ TEST(Samples, are_fewer_beside_sharp_edges_and_not_without_them) {
     EXPECT_LE(added, all / 20);
 }
 
+TEST(Samples, are_taken_in_a_penumbra_though_its_steps_are_small) {
+    SceneMaterial matt = SceneBuilder::dark();
+    matt.diffuse = Colour{0.02}; // the whole shadow is a few steps deep
+    SceneBuilder b;
+    SceneLight& lamp = b.light({0, 0, 8});
+    lamp.area.shape = LightArea::Shape::sphere;
+    lamp.area.radius = 1;
+    lamp.area.samples = 16;
+    b.generic(Plane<double>{}, Mat4d{1}, b.material(matt), "floor");
+    b.generic(Sphere<double>{}, translation({0, 0, 3}), b.material(matt), "ball");
+    b.scene().camera.eye = {0, -7, 4};
+    b.scene().camera.look_at = {0, 0, 0.2};
+    b.scene().camera.up = {0, 0, 1};
+    b.scene().camera.width = b.scene().camera.height = 48;
+    const auto refined = [&](int samples_of_lamp) {
+        b.scene().lights[0].area.samples = samples_of_lamp;
+        b.scene().camera.samples = 16;
+        const RenderResult result = render(b.open(), RenderOptions{});
+        return std::ranges::count_if(result.samples.values, [](float taken) { return taken > 1; });
+    };
+    EXPECT_GT(refined(16), refined(1) + 100);
+}
+
 } // namespace
 } // namespace rayscope::test
