@@ -109,7 +109,7 @@ TraceSource by_hand(const Ray<double>& ray) {
 } // namespace
 
 Workbench make_workbench(Scene scene) {
-    World<double> world = world_as_needed(scene);
+    World<double> world = build(scene);
     return {std::move(scene), std::move(world)};
 }
 

@@ -88,7 +88,7 @@ void energy() {
     fmt::print("  swallowed by media, as it would have arrived  {:.1f} %\n",
                100 * sum(book.absorbed) / sum(book.total));
     for (const auto& [what, dropped] : book.dropped)
-        fmt::print("  not followed, {:<9} for its {}: a weight of {:.6f} of a pixel\n",
+        fmt::print("  not followed, {:<9} for its {}: a weight of {:.6f} of each pixel, in the mean\n",
                    rays[std::size_t(what.first)], what.second == Reason::depth ? "depth" : "weight",
                    largest_component(dropped.weight));
 }

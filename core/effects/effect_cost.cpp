@@ -2,8 +2,8 @@
 
 #include "core/accuracy/colour_difference.hpp"
 #include "core/effects/change_effects.hpp"
-#include "core/effects/effect_needs.hpp"
 #include "core/image/ssim.hpp"
+#include "core/scene/build.hpp"
 
 #include <algorithm>
 
@@ -70,7 +70,7 @@ EffectCost cost_of(const Variant& base, Variant& changed) {
 EffectCosts effect_costs(const Scene& scene, const EffectSet& needed, const EffectCostOptions& options) {
     EffectCosts costs;
     std::vector<Variant> variants;
-    variants.push_back({Effect::ambient, false, world_as_needed(scene), scene.camera, {}, {}});
+    variants.push_back({Effect::ambient, false, build(scene), scene.camera, {}, {}});
     for (std::size_t i = 0; i < effect_names.size(); ++i) {
         const auto effect = Effect(i);
         Scene changed = scene;
@@ -80,7 +80,7 @@ EffectCosts effect_costs(const Scene& scene, const EffectSet& needed, const Effe
             costs.nowhere.push_back(effect);
             continue;
         }
-        variants.push_back({effect, needed.has(effect), world_as_needed(changed), changed.camera, {}, {}});
+        variants.push_back({effect, needed.has(effect), build(changed), changed.camera, {}, {}});
     }
     const double steps = double(options.rounds) * double(variants.size());
     double done = 0;

@@ -1,21 +1,14 @@
 #include "core/effects/effect_needs.hpp"
 
 #include "core/effects/used_materials.hpp"
-#include "core/scene/build.hpp"
 #include "core/scene/name_trace.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace rayscope {
 namespace {
-
-// With antialiasing, which is asked of the camera and not of the world.
-constexpr std::array of_the_classic_tracer{Effect::ambient,      Effect::diffuse,     Effect::specular,
-                                           Effect::shadows,      Effect::reflection,  Effect::refraction,
-                                           Effect::nested_media, Effect::antialiasing};
 
 /// The largest that a coefficient is anywhere.
 double largest_of(const Colour& colour, const std::optional<Pattern>& pattern) {
@@ -43,8 +36,7 @@ public:
                   &SceneMaterial::transmits);
         nested_media();
         soft_shadows();
-        of_medium(Effect::fresnel, "has fresnel set", "no drawn object's material has fresnel set",
-                  [](const SceneMaterial& m) { return m.mirror != Mirror::constant; });
+        fresnel();
         of_medium(Effect::absorption, "absorbs light inside", "no medium has an absorption",
                   [](const SceneMaterial& m) { return largest_component(m.absorption) > 0; });
         of_medium(Effect::dispersion, "bends each colour by an index of its own",
@@ -66,7 +58,8 @@ private:
         if (needed && scene_.added.has(effect)) reason = "added, as it was asked";
         if (!needed && scene_.taken_away.has(effect)) reason = "taken away, as it was asked";
         if (!needed && scene_.went_along.has(effect)) reason = "what called for it was taken away";
-        if (!needed && effect == Effect::reflection && first(true, &SceneMaterial::transmits) != nullptr)
+        if (!needed && effect == Effect::reflection && follows() &&
+            first(true, &SceneMaterial::transmits) != nullptr)
             reason += "; what is reflected totally belongs to refraction";
         needs_.push_back({effect, needed, std::move(reason)});
     }
@@ -122,13 +115,20 @@ private:
         else
             from(effect, used, does, otherwise);
     }
+    // A surface alone may have the place of a medium's wall, and then shares out its light.
+    void fresnel() {
+        const UsedMaterial* used =
+            first(true, [](const SceneMaterial& m) { return m.mirror != Mirror::constant; });
+        if (used != nullptr && !follows() && !needs(Effect::shadows))
+            add(Effect::fresnel, false, nothing_follows);
+        else
+            from(Effect::fresnel, used, "has fresnel set", "no drawn object's material has fresnel set");
+    }
     // What only media do.
     void of_medium(Effect effect, const char* does, const char* otherwise, const Lit& asks) {
         for (const std::uint32_t object : world_.media.all()) {
             const std::size_t material = world_.objects[object].material;
-            // A surface alone may have the place of a medium's, and then shares out its light.
-            const bool can = world_.objects[object].has_volume || effect == Effect::fresnel;
-            if (!can || !asks(scene_.materials[material])) continue;
+            if (!world_.objects[object].has_volume || !asks(scene_.materials[material])) continue;
             const bool in_shadows = effect != Effect::dispersion && needs(Effect::shadows);
             const bool before_the_eye = effect == Effect::absorption && holds_eye(object);
             if (!follows() && !in_shadows && !before_the_eye) return add(effect, false, nothing_follows);
@@ -245,20 +245,6 @@ EffectSet needed_effects(const std::vector<EffectNeed>& needs) {
     EffectSet set;
     for (const EffectNeed& need : needs) set.set(need.effect, need.needed);
     return set;
-}
-
-World<double> world_as_needed(const Scene& scene) {
-    World<double> world = build(scene);
-    const EffectSet needed = needed_effects(effect_needs(scene, world));
-    world.absorbs = world.absorbs && needed.has(Effect::absorption);
-    bool adds = false;
-    for (std::size_t i = 0; i < effect_names.size(); ++i) {
-        const auto effect = Effect(i);
-        adds = adds || (needed.has(effect) &&
-                        std::ranges::find(of_the_classic_tracer, effect) == of_the_classic_tracer.end());
-    }
-    world.effects = adds ? EffectMask::all : EffectMask::classic;
-    return world;
 }
 
 } // namespace rayscope

@@ -19,7 +19,4 @@ struct EffectNeed {
 
 [[nodiscard]] EffectSet needed_effects(const std::vector<EffectNeed>& needs);
 
-/// The scene's world, in which what it does not call for is not simulated.
-[[nodiscard]] World<double> world_as_needed(const Scene& scene);
-
 } // namespace rayscope

@@ -120,10 +120,6 @@ private:
             // Whether it is a medium is asked of the material as a whole.
             if (const auto& p = m.patterns.transmission) material.transmission = maximum_of(p->even, p->odd);
         }
-        world_.absorbs = world_.absorbs || (material.transmits() && material.absorbs());
-        if (material.mirror != Mirror::constant || material.patterns != none ||
-            (material.transmits() && (material.absorbs() || material.dispersion.spreads())))
-            world_.effects = EffectMask::all;
         return material;
     }
 
@@ -152,6 +148,7 @@ private:
         const std::uint32_t solid = solids_;
         const Box<double> bounds = add_solid(generic, generic.matrix, material);
         world_.objects.push_back({false, solid, material, generic.priority, is_solid(generic.shape), bounds});
+        world_.note_effects(material, is_solid(generic.shape));
     }
 
     void add_compound(std::size_t index) {
@@ -185,6 +182,7 @@ private:
             result.size = maximum(result.size, largest_coordinate(part.box));
         world_.objects.push_back(
             {true, std::uint32_t(world_.compounds.size()), material, compound.priority, true, boxes.back()});
+        world_.note_effects(material, true);
         world_.compounds.push_back(std::move(result));
     }
 
@@ -196,6 +194,7 @@ private:
                              "the matrices of compound '" + compound.name + "' and of its operand '" +
                                  generic.name + "' multiply to one that can't be inverted");
         if (leaf.material) material = std::uint32_t(*leaf.material);
+        world_.note_effects(material, false);
         return add_solid(generic, leaf.matrix, material);
     }
 

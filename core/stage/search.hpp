@@ -103,21 +103,27 @@ private:
 /// Boundaries that coincide are crossed at once, as by every other ray (see first_in_file): one of them is kept. The
 /// schoolbook keeps all.
 template <Numbers N, Scalar T = ScalarOf<N>>
-[[gnu::noinline]] void put_in_order(const World<N>& world, const Ray<T>& ray,
-                                    std::vector<Blocker<T>>& blockers) {
+[[gnu::noinline]] void settle_blockers(const World<N>& world, const Ray<T>& ray,
+                                       std::vector<Blocker<T>>& blockers) {
     std::sort(blockers.begin(), blockers.end(),
               [](const auto& a, const auto& b) { return a.t < b.t || (a.t == b.t && a.object < b.object); });
     if (is_textbook<N>) return;
     const auto crossing = [](const Blocker<T>& b) { return Crossing<T>{b.t, b.surface, b.entering}; };
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < blockers.size();) {
-        const Blocker<T> nearest = blockers[i];
-        blockers[kept] = nearest;
-        for (++i; i < blockers.size() && blockers[i].object != nearest.object &&
-                  coincide(world, ray, crossing(nearest), crossing(blockers[i]));
-             ++i)
-            if (blockers[i].object < blockers[kept].object) blockers[kept] = blockers[i];
-        ++kept;
+    for (std::size_t first = 0, next = 0; first < blockers.size(); first = next, ++kept) {
+        const Blocker<T> nearest = blockers[first];
+        Blocker<T> owner = nearest;
+        // Up to where an object comes a second time: that is the next boundary.
+        const auto is_new = [&](const Blocker<T>& other) {
+            return std::none_of(blockers.begin() + std::ptrdiff_t(first),
+                                blockers.begin() + std::ptrdiff_t(next),
+                                [&](const Blocker<T>& known) { return known.object == other.object; });
+        };
+        for (next = first + 1; next < blockers.size() && is_new(blockers[next]) &&
+                               coincide(world, ray, crossing(nearest), crossing(blockers[next]));
+             ++next)
+            if (blockers[next].object < owner.object) owner = blockers[next];
+        blockers[kept] = owner;
     }
     blockers.resize(kept);
 }
@@ -160,7 +166,7 @@ public:
         return this->end_of_way();
     }
     [[nodiscard]] bool result() {
-        if (!blocked_ && work_.blockers.size() > 1) put_in_order(world_, ray_, work_.blockers);
+        if (!blocked_ && work_.blockers.size() > 1) settle_blockers(world_, ray_, work_.blockers);
         return blocked_;
     }
     [[nodiscard]] const Ray<T>& ray() const { return ray_; }

@@ -57,30 +57,44 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 }
 
 /// The medium's share of light that a shadow ray loses from its start to `distance`: of each stretch in an absorbing
-/// medium, by priority, from the inside lists of all that transmits; or by the notes' rule, where that holds.
+/// medium, by priority, from the inside lists of all that transmits.
 template <Numbers N, Scalar T = ScalarOf<N>> class AbsorbedWay {
 public:
     /// Calls each(medium, length, passed) for the stretches that absorb, from the start on.
-    /// @param medium at the start
     template <typename Each>
-    void walk(const World<N>& world, const Ray<T>& ray, T distance, const Leaving<T>& leaving, Id medium,
-              Work<T>& work, const Each& each) {
+    void walk(const World<N>& world, const Ray<T>& ray, T distance, const Leaving<T>& leaving, Work<T>& work,
+              const Each& each) {
         gather(world, ray, distance, leaving, work);
-        entered_ = medium;
         T start = T(0);
         std::size_t next = 0;
         while (start < distance) {
             const T end = next < turns_.size() ? turns_[next].t : distance;
             const Id here = medium_now(world);
             if (here != none && end > start) {
-                const Material& material = world.material_of(std::uint32_t(here));
-                const double length = double(end - start);
-                if (material.absorbs()) each(here, length, beer_lambert(material.absorption, length));
+                absorb(world, here, double(end - start), each);
             }
             if (next == turns_.size()) break;
             turn(turns_[next++]);
             start = end;
         }
+    }
+
+    /// The same by the notes' rule: behind a wall that is not entered there is air.
+    /// @param medium at the start
+    /// @param blockers the walls on the way
+    template <typename Each>
+    void walk_by_the_notes(const World<N>& world, T distance, Id medium,
+                           const std::vector<Blocker<T>>& blockers, const Each& each) {
+        T start = T(0);
+        const auto go_to = [&](T end) {
+            if (medium != none && end > start) absorb(world, medium, double(end - start), each);
+            start = end;
+        };
+        for (const Blocker<T>& wall : blockers) {
+            go_to(wall.t);
+            medium = world.objects[wall.object].has_volume && wall.entering ? Id(wall.object) : none;
+        }
+        go_to(distance);
     }
 
 private:
@@ -89,6 +103,12 @@ private:
         std::uint32_t object;
         bool entering;
     };
+
+    template <typename Each>
+    static void absorb(const World<N>& world, Id medium, double length, const Each& each) {
+        const Material& material = world.material_of(std::uint32_t(medium));
+        if (material.absorbs()) each(medium, length, beer_lambert(material.absorption, length));
+    }
 
     void gather(const World<N>& world, const Ray<T>& ray, T distance, const Leaving<T>& leaving,
                 Work<T>& work) {
@@ -116,14 +136,12 @@ private:
         });
     }
     void turn(const Turn& turn) {
-        entered_ = turn.entering ? Id(turn.object) : none; // the notes' rule: outside is air
         if (turn.entering)
             inside_.push_back(turn.object);
         else
             std::erase(inside_, turn.object);
     }
     [[nodiscard]] Id medium_now(const World<N>& world) const {
-        if (world.notes_media) return entered_;
         Containing here;
         for (const std::uint32_t object : inside_) here.offer(world.objects[object].priority, Id(object));
         return here.medium();
@@ -131,7 +149,6 @@ private:
 
     std::vector<Turn> turns_;
     std::vector<std::uint32_t> inside_;
-    Id entered_ = none; // by the notes' rule
 };
 
 } // namespace rayscope

@@ -206,12 +206,14 @@ template <Numbers N, typename Stage, typename Recorder, typename Order, EffectMa
 Colour Tracer<N, Stage, Recorder, Order, mask>::absorbed_to_light(const Ray<T>& ray, T distance,
                                                                   const Interaction<N>& at) {
     Colour seen{1};
-    AbsorbedWay<N>().walk(world_, ray, distance, at.back, at.media.from, work_,
-                          [&](Id medium, double way, const Colour& passed) {
-                              if constexpr (Recorder::enabled)
-                                  recorder_.record(Absorbed{medium, way, passed});
-                              seen *= passed;
-                          });
+    const auto take = [&](Id medium, double way, const Colour& passed) {
+        if constexpr (Recorder::enabled) recorder_.record(Absorbed{medium, way, passed});
+        seen *= passed;
+    };
+    if (world_.notes_media)
+        AbsorbedWay<N>().walk_by_the_notes(world_, distance, at.media.from, work_.blockers, take);
+    else
+        AbsorbedWay<N>().walk(world_, ray, distance, at.back, work_, take);
     return seen;
 }
 

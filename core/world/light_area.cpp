@@ -30,12 +30,21 @@ Vec3d LightArea::offset(const SquarePoint& square, const Vec3d& towards) const {
         return radius * (p.x * u + p.y * v);
     }
     case Shape::sphere: {
-        // Seen from the distance d, a sphere's outline has the angle asin(radius / d), and a disk's atan.
         const DiskPoint p = on_disk(square);
         const double distance = length(towards), sine = radius / distance;
         const Vec3d forward = towards / distance, sideways = across(forward);
-        const double seen = sine < 1 ? radius / std::sqrt((1 - sine) * (1 + sine)) : radius;
-        return seen * (p.x * sideways + p.y * cross(forward, sideways));
+        const Vec3d aside = p.x * sideways + p.y * cross(forward, sideways);
+        if (!(sine < 1)) return radius * aside;
+        // Equal parts of the cone around it: the height of a cap goes with the square of its share of the disk.
+        const double share = p.x * p.x + p.y * p.y;
+        const double cap =
+            sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine))); // 1 − cos of the outline's angle
+        const double versine = share * cap, cosine = 1 - versine;
+        const Vec3d direction = cosine * forward + std::sqrt(cap * (2 - versine)) * aside;
+        const double off =
+            distance * distance * versine * (2 - versine); // of the centre from this line, squared
+        const double way = distance * cosine - std::sqrt(maximum(radius * radius - off, 0.0));
+        return way * direction - towards;
     }
     case Shape::point: break;
     }

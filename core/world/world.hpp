@@ -74,8 +74,17 @@ struct WorldBase {
     std::vector<Light> lights;
     MediaNeighbours media;
 
-    EffectMask effects = EffectMask::classic; ///< what its materials and lights ask for
+    EffectMask effects = EffectMask::classic; ///< what drawn materials and the lights ask for
     bool absorbs = false;                     ///< some medium does
+
+    /// Counts in what a material asks for that something drawn has, as a whole or as a wall.
+    void note_effects(std::uint32_t material, bool has_inside) {
+        const Material& m = materials[material];
+        const bool is_medium = has_inside && m.transmits();
+        absorbs = absorbs || (is_medium && m.absorbs());
+        if (m.mirror != Mirror::constant || m.patterns != none) effects = EffectMask::all;
+        if (is_medium && (m.absorbs() || m.dispersion.spreads())) effects = EffectMask::all;
+    }
 
     Colour background{0}, ambient{1};
     bool notes_media = false;

@@ -123,12 +123,10 @@ material = "stone"
     EXPECT_FALSE(need(needs, Effect::refraction).needed);
 }
 
-// A scene in which nothing can come of it: no such effect, and the classic tracer.
+// A scene in which nothing can come of it.
 void expect_unneeded(Effect effect, const std::string& text) {
-    const Workbench bench = make_workbench(parse_toml(text, "scene.toml"));
-    const auto needs = effect_needs(bench.scene, bench.world);
+    const auto needs = needs_of(text);
     EXPECT_FALSE(need(needs, effect).needed) << need(needs, effect).reason;
-    EXPECT_EQ(bench.world.effects, EffectMask::classic) << need(needs, effect).reason;
 }
 
 TEST(Needs, of_what_can_not_show_are_none) {
@@ -156,6 +154,27 @@ TEST(Needs, of_what_can_not_show_are_none) {
         expect_unneeded(effect, still);
     expect_unneeded(Effect::fresnel,
                     "[materials.m]\n[materials.unused]\nfresnel = true\nindex = 1.5\n" + ball);
+}
+
+TEST(Needs, of_materials_that_nothing_drawn_has_leave_the_tracer_the_classic_one) {
+    const std::string ball = "[generics.ball]\nshape = \"sphere\"\nmaterial = \"m\"\n";
+    const auto mask = [](const std::string& text) {
+        return make_workbench(parse_toml(text, "scene.toml")).world.effects;
+    };
+    EXPECT_EQ(mask("[materials.m]\n[materials.unused]\nfresnel = true\nindex = 1.5\n" + ball),
+              EffectMask::classic);
+    EXPECT_EQ(mask("[materials.m]\nfresnel = true\nindex = 1.5\n" + ball), EffectMask::all);
+    const std::string sheet =
+        "[materials.m]\ntransmission = 0.5\nabsorption = 1\n[generics.sheet]\nshape = "
+        "\"triangle\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nmaterial = \"m\"\n";
+    EXPECT_EQ(mask(sheet), EffectMask::classic);
+}
+
+TEST(Needs, of_a_fresnel_mirror_are_so_also_where_it_is_a_sheet) {
+    const auto needs =
+        needs_of("[materials.m]\nfresnel = true\nindex = 1.5\n[generics.sheet]\nshape = "
+                 "\"triangle\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nmaterial = \"m\"\n");
+    EXPECT_TRUE(need(needs, Effect::fresnel).needed);
 }
 
 TEST(Needs, of_reflection_leave_total_reflection_to_refraction) {

@@ -108,5 +108,20 @@ TEST(ShadowMedia, absorb_by_the_rule_that_the_scene_has) {
     }
 }
 
+// By the notes' rule a wall that two solids share leads into the one that is first in the file, or out of it.
+TEST(ShadowMedia, that_touch_absorb_by_the_notes_as_the_first_in_the_file_says) {
+    for (const bool lower_first : {false, true}) {
+        Stack stack;
+        const SceneMaterial glass = murky({0.4, 0.4, 0.4});
+        if (lower_first)
+            stack.slab(-1, 1, glass).slab(1, 3, glass);
+        else
+            stack.slab(1, 3, glass).slab(-1, 1, glass);
+        stack.by_the_notes();
+        EXPECT_NEAR(stack.in_light().x, stack.in_view().x, 1e-12) << lower_first;
+        EXPECT_NEAR(stack.in_light().x, std::exp(-0.4 * (lower_first ? 2 : 4)), 1e-12) << lower_first;
+    }
+}
+
 } // namespace
 } // namespace rayscope::test

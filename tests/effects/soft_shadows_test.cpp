@@ -70,6 +70,30 @@ TEST(Penumbra, of_a_sphere_is_that_of_the_disk_it_shows) {
     EXPECT_NEAR(seen_at(0.2, LightArea::Shape::sphere, 256), seen_at(0.2, LightArea::Shape::disk, 256), 0.1);
 }
 
+// From near by a sphere covers nearly half of the view: no ray may lead past it, nor all of them to its rim.
+TEST(AreaLight, that_is_a_sphere_shines_from_the_part_that_is_seen) {
+    LightArea area;
+    area.shape = LightArea::Shape::sphere;
+    area.radius = 0.5;
+    for (const double distance : {0.51, 0.6, 2.0, 1e6}) {
+        const Vec3d towards = distance * normalized(Vec3d{1, 2, -2});
+        double mean = 0, least = 1;
+        constexpr int n = 16;
+        for (int i = 0; i < n * n; ++i) {
+            const Vec3d offset = area.offset({(i % n + 0.5) / n, (i / n + 0.5) / n}, towards);
+            EXPECT_NEAR(length(offset), area.radius, 1e-9 * distance);
+            EXPECT_LE(dot(offset, towards), 1e-9); // the near side
+            const double cosine = dot(normalized(towards + offset), towards) / distance;
+            mean += cosine / (n * n);
+            least = std::min(least, cosine);
+        }
+        const double outline = std::sqrt(1 - std::pow(area.radius / distance, 2));
+        EXPECT_GE(least, outline - 1e-12);
+        EXPECT_NEAR(mean, (1 + outline) / 2,
+                    2e-3 * (1 - outline) + 1e-12); // as equal parts of the view have it
+    }
+}
+
 TEST(AreaLight, of_one_sample_is_the_point_light) {
     SceneBuilder b;
     SceneLight& lamp = b.light({1, 2, 5});

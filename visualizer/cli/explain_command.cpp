@@ -78,7 +78,8 @@ int explain(const ExplainOptions& options) {
         const auto name = [&](Id object) {
             return object_title(bench.scene, bench.scene.drawn[std::size_t(object)]);
         };
-        add_ledger(page, ledger(bench, size.width, size.height, &stop_asked_for), name, Numbers(3));
+        add_ledger(page, ledger(bench, size.width, size.height, &stop_asked_for), "each pixel, in the mean",
+                   name, Numbers(3));
         add_light_off(page, light_off(bench, path, size), Numbers(3));
         if (stop_asked_for) return stopped();
     }

@@ -95,11 +95,11 @@ void add_costs(Page& page, const EffectCosts& costs) {
     for (const EffectCost& cost : costs.effects) {
         std::int64_t rays = 0;
         for (const std::int64_t of_kind : cost.rays) rays += of_kind;
-        page.line(fmt::format("  {:<14}{:<12}{:>6.2f}  {:<14}{:>6.2f}{:>8.3f}{:>12}",
-                              effect_names[std::size_t(cost.effect)].name,
-                              cost.taken_away ? "taken away" : "added", cost.time_ratio,
-                              fmt::format("{:.2f} to {:.2f}", cost.least_ratio, cost.greatest_ratio),
-                              cost.difference, cost.similarity, rays_text(rays)));
+        page.line(fmt::format(
+            "  {:<14}{:<12}{:>6.2f}  {:<14}{:>6.2f}{:>8}{:>12}", effect_names[std::size_t(cost.effect)].name,
+            cost.taken_away ? "taken away" : "added", cost.time_ratio,
+            fmt::format("{:.2f} to {:.2f}", cost.least_ratio, cost.greatest_ratio), cost.difference,
+            std::isfinite(cost.similarity) ? fmt::format("{:.3f}", cost.similarity) : "–", rays_text(rays)));
     }
     if (costs.nowhere.empty()) return;
     std::string names;
@@ -109,8 +109,8 @@ void add_costs(Page& page, const EffectCosts& costs) {
     page.line("Nothing in the scene to add it to: " + names, 2);
 }
 
-void add_ledger(Page& page, const Ledger& ledger, const std::function<std::string(Id)>& name,
-                const Numbers& number) {
+void add_ledger(Page& page, const Ledger& ledger, const std::string& weighed,
+                const std::function<std::string(Id)>& name, const Numbers& number) {
     page.heading("Where the light comes from");
     std::vector<std::pair<LightSource, Colour>> sources(ledger.sources.begin(), ledger.sources.end());
     std::ranges::sort(sources, [](const auto& a, const auto& b) {
@@ -134,9 +134,9 @@ void add_ledger(Page& page, const Ledger& ledger, const std::function<std::strin
     for (const auto& [key, dropped] : ledger.dropped) {
         if (key.second == Reason::coefficient_zero) continue;
         any = true;
-        page.item(name_of(key.first), fmt::format("{} {} {}, with a weight of {} of a pixel", dropped.count,
+        page.item(name_of(key.first), fmt::format("{} {} {}, with a weight of {} of {}", dropped.count,
                                                   dropped.count == 1 ? "ray" : "rays", limit_text(key.second),
-                                                  number.colour(dropped.weight)));
+                                                  number.colour(dropped.weight), weighed));
     }
     if (!any) page.line("nothing: every ray with a weight was followed", 2);
 }

@@ -17,8 +17,9 @@ void add_costs(Page& page, const EffectCosts& costs);
 
 /// Where light comes from, and what was dropped.
 /// @param name of an object in the ledger
-void add_ledger(Page& page, const Ledger& ledger, const std::function<std::string(Id)>& name,
-                const Numbers& number);
+/// @param weighed what the dropped weights are shares of
+void add_ledger(Page& page, const Ledger& ledger, const std::string& weighed,
+                const std::function<std::string(Id)>& name, const Numbers& number);
 
 /// What effects that are off would bring of light, or take from it, each by itself. Nothing where none is.
 void add_light_off(Page& page, const std::vector<std::pair<Effect, Colour>>& off, const Numbers& number);

@@ -99,7 +99,8 @@ std::string result_text(const Trace& trace, const StepStyle& style) {
 std::string ledger_text(const Trace& trace, const StepStyle& style) {
     Page page(style.paint);
     add_ledger(
-        page, ledger_of(trace.rays), [&](Id object) { return object_name(trace, object); }, style.number);
+        page, ledger_of(trace.rays), "the pixel", [&](Id object) { return object_name(trace, object); },
+        style.number);
     return page.text();
 }
 
