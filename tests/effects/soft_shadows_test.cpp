@@ -78,7 +78,7 @@ TEST(AreaLight, that_is_a_sphere_shines_from_the_part_that_is_seen) {
     for (const double distance : {0.51, 0.6, 2.0, 1e6}) {
         const Vec3d towards = distance * normalized(Vec3d{1, 2, -2});
         double mean = 0, least = 1;
-        constexpr int n = 16;
+        constexpr int n = 64;
         for (int i = 0; i < n * n; ++i) {
             const Vec3d offset = area.offset({(i % n + 0.5) / n, (i / n + 0.5) / n}, towards);
             EXPECT_NEAR(length(offset), area.radius, 1e-9 * distance);
