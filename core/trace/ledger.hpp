@@ -27,8 +27,8 @@ struct DroppedRays {
 struct Ledger {
     std::map<LightSource, Colour> sources; ///< as it arrives at the eye: they add up to `total`
     std::map<std::pair<RayKind, Reason>, DroppedRays> dropped;
-    Colour absorbed{
-        0}; ///< what would have arrived besides, had no medium on the rays' way from the eye swallowed any
+    /// What would have arrived besides, had no medium on the rays' way from the eye swallowed any.
+    Colour absorbed{0};
     Colour total{0};
 };
 

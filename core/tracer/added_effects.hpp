@@ -70,9 +70,7 @@ public:
         while (start < distance) {
             const T end = next < turns_.size() ? turns_[next].t : distance;
             const Id here = medium_now(world);
-            if (here != none && end > start) {
-                absorb(world, here, double(end - start), each);
-            }
+            if (here != none && end > start) absorb(world, here, double(end - start), each);
             if (next == turns_.size()) break;
             turn(turns_[next++]);
             start = end;
