@@ -60,7 +60,7 @@ Scene with_chosen_effects(Scene scene, const std::optional<std::string>& text) {
     warn("simulated though nothing in the scene calls for it", scene.added, {});
     warn("asked for, but there is nothing in the scene to add it to", wanted, united(now, needed));
     warn("called for by the scene, and not simulated, as it was asked", scene.taken_away, {});
-    warn("called for by what was taken away, and gone with it", scene.went_along, {});
+    warn("called for by what was changed or taken away, and gone with it", scene.went_along, {});
     return scene;
 }
 

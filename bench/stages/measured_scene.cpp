@@ -45,8 +45,11 @@ std::size_t bytes_of(const StageSet& stages, StageKind kind) {
     case StageKind::octree: return stages.octree()->statistics().bytes;
     case StageKind::bvh: return stages.bvh()->statistics().bytes;
     case StageKind::projective: return stages.projective()->bytes();
-    default: return 0;
+    case StageKind::light: return stages.light()->bytes();
+    case StageKind::scan:
+    case StageKind::extents: break; // keep nothing
     }
+    return 0;
 }
 
 /// @param step every so many rays one is traced
@@ -159,7 +162,7 @@ std::optional<std::vector<StageRun>> register_stages(const std::shared_ptr<const
             const double count = double(count_of(*sets, rays, step)),
                          checked = double(count_of(*sets, rays, thinning));
             run.tests = double(work.counters.objects) / checked;
-            run.cells = double(work.counters.cells + work.counters.nodes) / checked;
+            run.cells = double(work.counters.cells + work.counters.nodes + work.counters.boxes) / checked;
             run.build_seconds = stages->build_seconds();
             run.bytes = bytes_of(*stages, rung.kind);
             run.benchmark = run.title();

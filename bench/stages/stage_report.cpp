@@ -104,25 +104,27 @@ std::string json_of(const std::vector<Growth>& growth) {
 
 std::string page_of(const std::vector<StageRun>& runs, const std::vector<Growth>& growth,
                     const std::string& peers) {
-    std::string text = "# What each stage buys\n\n"
-                       "Every stage gives the same image and the same answers, bit for bit: that was checked "
-                       "before any clock "
-                       "started. *eye* rays go through the pixels, *shadow* rays from what they hit to the "
-                       "light, *other* rays from "
-                       "there into random directions: the hardest, since no two go together. A *test* asks "
-                       "one object for its "
-                       "crossings; a *cell* is a node, leaf or list that was looked into. Times are medians "
-                       "of one thread, and only "
-                       "their ratios mean anything on another machine.\n\n";
+    std::string text =
+        "# What each stage buys\n\n"
+        "Every stage gives the same image and the same answers, bit for bit: that was checked "
+        "before any clock "
+        "started. *eye* rays go through the pixels, *shadow* rays from what they hit to the "
+        "light, *other* rays from "
+        "there into random directions: the hardest, since no two go together. A *test* asks "
+        "one object for its "
+        "crossings; a *cell* is a node, leaf, list or extent that was looked into. Times are medians "
+        "of one thread, and only "
+        "their ratios mean anything on another machine.\n\n";
     if (!growth.empty()) {
         text += "## Growth\n\nClouds of balls that cover the same area, however many they are. The exponent "
                 "k says that "
                 "the time grows like N^k: 1 is a scan, 0 would be a time that N does not change.\n\n"
                 "| stage | rays | k | ns at the fewest | ns at the most |\n| --- | --- | --: | --: | --: |\n";
         for (const Growth& g : growth)
-            text += fmt::format("| {} | {} | {:.2f} | {:.0f} at {:.0f} | {:.0f} at {:.0f} |\n", g.stage,
-                                name_of(g.rays), g.exponent, g.points.front().second, g.points.front().first,
-                                g.points.back().second, g.points.back().first);
+            text += fmt::format(
+                "| {} | {} | {} | {:.0f} at {:.0f} | {:.0f} at {:.0f} |\n", g.stage, name_of(g.rays),
+                std::isnan(g.exponent) ? "–" : fmt::format("{:.2f}", g.exponent), g.points.front().second,
+                g.points.front().first, g.points.back().second, g.points.back().first);
     }
     for (const auto& rows : by_scene(runs)) {
         text += fmt::format("\n## {}\n\n{} objects.\n\n", rows.front().scene, rows.front().objects);

@@ -6,6 +6,8 @@
 #include "bench/support/ratios.hpp"
 #include "core/files/atomic_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 
@@ -19,6 +21,9 @@ struct Options {
     bool peers = false;
     Arguments rest{"rayscope-bench"};
 };
+
+constexpr std::array<const char*, 5> results{"stages.json", "stages.csv", "growth.json", "stages.md",
+                                             "stages.png"};
 
 int fail(const std::string& message) {
     std::fprintf(stderr, "rayscope-bench: %s\n", message.c_str());
@@ -51,8 +56,9 @@ std::optional<std::string> read(const Arguments& words, Options& options) {
             while (next()) options.scenes.push_back(words[++i]);
         } else if (word == "--most") {
             char* end = nullptr;
-            const double number = next() ? std::strtod(words[++i].c_str(), &end) : 0;
-            if (end == nullptr || *end != '\0' || !(number >= 100 && number <= 1e7))
+            if (!next()) return "--most: expected a number after it, found none";
+            const double number = std::strtod(words[++i].c_str(), &end);
+            if (*end != '\0' || !(number >= 100 && number <= 1e7))
                 return "--most: expected a number between 100 and 1e7, found '" + words[i] + "'";
             options.most = std::size_t(number);
         } else if (word.starts_with("--benchmark_")) {
@@ -94,14 +100,19 @@ int stages_cost(const Arguments& words) {
         if (word == "-h" || word == "--help") return explain();
     Options options;
     if (const auto wrong = read(words, options)) return fail(*wrong);
-    std::error_code error;
-    std::filesystem::create_directories(options.folder, error);
-    if (error) return fail("can't make the folder " + options.folder.string() + ": " + error.message());
-
-    std::vector<StageRun> runs;
     const auto scenes = stage_scenes(options.scenes, options.most);
     if (scenes.empty())
         return fail("no scene's name begins so; expected cloud, flake, bowls, cylinders or gears");
+    std::error_code error;
+    std::filesystem::create_directories(options.folder, error);
+    if (error) return fail("can't make the folder " + options.folder.string() + ": " + error.message());
+    try {
+        for (const char* name : results) check_writable(options.folder / name);
+    } catch (const std::runtime_error& problem) {
+        return fail(problem.what());
+    }
+
+    std::vector<StageRun> runs;
     for (const auto& scene : scenes) {
         const auto found = register_stages(scene);
         if (!found) return 1; // said already
@@ -113,6 +124,7 @@ int stages_cost(const Arguments& words) {
     const auto times = run_interleaved(arguments, 3);
     if (!times) return 2; // said already
     std::erase_if(runs, [&](const StageRun& run) { return !times->seconds.contains(run.benchmark); });
+    if (runs.empty()) return fail("nothing was measured: --benchmark_filter leaves out everything");
     for (StageRun& run : runs) run.nanoseconds = 1e9 * times->quantile(run.benchmark, 0.5) / run.nanoseconds;
 
     const auto growth = growth_of(runs);
@@ -120,7 +132,11 @@ int stages_cost(const Arguments& words) {
     put(options.folder / "stages.csv", csv_of(runs));
     put(options.folder / "growth.json", json_of(growth));
     put(options.folder / "stages.md", page_of(runs, growth, options.peers ? peers_said() : ""));
-    if (!growth.empty()) draw(options.folder);
+    const bool has_lines = std::ranges::any_of(growth, [](const Growth& g) { return g.points.size() > 1; });
+    if (has_lines)
+        draw(options.folder);
+    else // none is better than one of another run
+        std::filesystem::remove(options.folder / "stages.png", error);
     return 0;
 }
 

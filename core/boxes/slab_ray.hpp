@@ -6,8 +6,11 @@
 
 namespace rayscope {
 
-/// Transform::distortion() that boxes still make room for.
+/// Transform::distortion() that the boxes of a compound's parts still make room for, in all numbers.
 template <Scalar T> inline constexpr T most_distorted = T(1024);
+/// The same of whole objects, which are put into boxes in double alone: a margin of a hundred millionth, less than floats
+/// round.
+inline constexpr double most_distorted_object = 0x1p20;
 
 /// The t at which a ray is in a box.
 template <Scalar T> struct BoxSpan {

@@ -18,16 +18,13 @@ double view_length(const Scene& scene) {
     return distance > 0 ? distance : 1;
 }
 
-/// What is reflected where light comes straight on, from air.
-double straight_share(const SceneMaterial& material) {
-    const double contrast = (1 - material.speed) / (1 + material.speed);
-    return contrast * contrast;
-}
-
-void with_constant_shares(SceneMaterial& material) {
+/// Of light that comes straight on, from what fills the space between the solids.
+/// @param around its speed there
+void with_constant_shares(SceneMaterial& material, double around) {
     if (material.mirror == Mirror::constant) return;
+    const double contrast = (around - material.speed) / (around + material.speed);
     material.mirror = Mirror::constant;
-    material.reflection = Colour{straight_share(material)};
+    material.reflection = Colour{contrast * contrast};
     material.transmission = Colour{1} - material.reflection;
 }
 
@@ -36,20 +33,20 @@ void set_even(Colour& colour, std::optional<Pattern>& pattern, const Colour& val
     pattern.reset();
 }
 
-void take_from(Effect effect, SceneMaterial& m) {
+void take_from(Effect effect, SceneMaterial& m, double around) {
     switch (effect) {
     case Effect::ambient: set_even(m.ambient, m.patterns.ambient, Colour{0}); break;
     case Effect::diffuse: set_even(m.diffuse, m.patterns.diffuse, Colour{0}); break;
     case Effect::specular: set_even(m.specular, m.patterns.specular, Colour{0}); break;
     case Effect::reflection:
-        with_constant_shares(m);
+        with_constant_shares(m, around);
         set_even(m.reflection, m.patterns.reflection, Colour{0});
         break;
     case Effect::refraction:
-        with_constant_shares(m);
+        with_constant_shares(m, around);
         set_even(m.transmission, m.patterns.transmission, Colour{0});
         break;
-    case Effect::fresnel: with_constant_shares(m); break;
+    case Effect::fresnel: with_constant_shares(m, around); break;
     case Effect::absorption: m.absorption = Colour{0}; break;
     case Effect::dispersion: m.dispersion = {}; break;
     case Effect::patterns: m.patterns = {}; break; // the colours hold their means
@@ -59,22 +56,24 @@ void take_from(Effect effect, SceneMaterial& m) {
 
 /// @return whether anything was changed
 bool add_to(Effect effect, SceneMaterial& m, double size) {
-    const auto add = [](Colour& colour) {
-        colour = Colour{added_coefficient};
+    const auto add = [](Colour& colour, std::optional<Pattern>& pattern) {
+        set_even(colour, pattern, Colour{added_coefficient});
         return true;
     };
+    const auto has_room_beside = [](const Colour& colour, const std::optional<Pattern>& pattern) {
+        return !(largest_component(largest_of(colour, pattern)) > 1 - added_coefficient);
+    };
     switch (effect) {
-    case Effect::ambient: return add(m.ambient);
-    case Effect::diffuse: return add(m.diffuse);
-    case Effect::specular: return add(m.specular);
+    case Effect::ambient: return add(m.ambient, m.patterns.ambient);
+    case Effect::diffuse: return add(m.diffuse, m.patterns.diffuse);
+    case Effect::specular: return add(m.specular, m.patterns.specular);
     case Effect::reflection:
-        if (m.mirror != Mirror::constant || largest_component(m.transmission) > 1 - added_coefficient)
-            return false;
-        return add(m.reflection);
+        return m.mirror == Mirror::constant && has_room_beside(m.transmission, m.patterns.transmission) &&
+               add(m.reflection, m.patterns.reflection);
     case Effect::refraction:
-        if (largest_component(m.reflection) > 1 - added_coefficient) return false;
+        if (!has_room_beside(m.reflection, m.patterns.reflection)) return false;
         m.speed = 1 / added_index;
-        return add(m.transmission);
+        return add(m.transmission, m.patterns.transmission);
     case Effect::fresnel:
         if (!m.transmits()) return false;
         m.mirror = Mirror::fresnel;
@@ -121,14 +120,14 @@ Effect effect_called(std::string_view name) {
         names.push_back(effect_names[i].name);
     }
     throw std::invalid_argument(
-        "expected auto, or a list of effects, each with + or - before it or none of them: " + one_of(names) +
-        "; found " + in_quotes(name) + did_you_mean(name, names));
+        "expected auto, all, or a list of effects, each with + or - before it or none of them: " +
+        one_of(names) + "; found " + in_quotes(name) + did_you_mean(name, names));
 }
 
 } // namespace
 
 void take_away(Effect effect, Scene& scene) {
-    for (SceneMaterial& material : scene.materials) take_from(effect, material);
+    for (SceneMaterial& material : scene.materials) take_from(effect, material, scene.medium_speed);
     for (SceneLight& light : scene.lights) {
         if (effect == Effect::shadows) light.shadows = false;
         if (effect == Effect::soft_shadows) light.area = {};

@@ -10,9 +10,8 @@
 namespace rayscope {
 namespace {
 
-/// The largest that a coefficient is anywhere.
-double largest_of(const Colour& colour, const std::optional<Pattern>& pattern) {
-    return largest_component(pattern ? maximum_of(pattern->even, pattern->odd) : colour);
+bool is_anywhere(const Colour& colour, const std::optional<Pattern>& pattern) {
+    return largest_component(largest_of(colour, pattern)) > 0;
 }
 
 class Finder {
@@ -29,8 +28,7 @@ public:
         shadows();
         of_object(Effect::reflection, "mirrors", "no drawn object has a reflection coefficient",
                   [](const SceneMaterial& m) {
-                      return m.mirror != Mirror::constant ||
-                             largest_of(m.reflection, m.patterns.reflection) > 0;
+                      return m.mirror != Mirror::constant || is_anywhere(m.reflection, m.patterns.reflection);
                   });
         of_object(Effect::refraction, "lets light through", "no drawn object transmits light",
                   &SceneMaterial::transmits);
@@ -51,13 +49,13 @@ private:
     using Lit = std::function<bool(const SceneMaterial&)>;
 
     static Lit lit(Colour SceneMaterial::* colour, std::optional<Pattern> Patterns::* pattern) {
-        return [=](const SceneMaterial& m) { return largest_of(m.*colour, m.patterns.*pattern) > 0; };
+        return [=](const SceneMaterial& m) { return is_anywhere(m.*colour, m.patterns.*pattern); };
     }
 
     void add(Effect effect, bool needed, std::string reason) {
         if (needed && scene_.added.has(effect)) reason = "added, as it was asked";
         if (!needed && scene_.taken_away.has(effect)) reason = "taken away, as it was asked";
-        if (!needed && scene_.went_along.has(effect)) reason = "what called for it was taken away";
+        if (!needed && scene_.went_along.has(effect)) reason = "what called for it was changed or taken away";
         if (!needed && effect == Effect::reflection && follows() &&
             first(true, &SceneMaterial::transmits) != nullptr)
             reason += "; what is reflected totally belongs to refraction";
@@ -157,8 +155,7 @@ private:
     }
     [[nodiscard]] const UsedMaterial* first_lit() const {
         return first(false, [](const SceneMaterial& m) {
-            return largest_of(m.diffuse, m.patterns.diffuse) > 0 ||
-                   largest_of(m.specular, m.patterns.specular) > 0;
+            return is_anywhere(m.diffuse, m.patterns.diffuse) || is_anywhere(m.specular, m.patterns.specular);
         });
     }
 
@@ -184,18 +181,18 @@ private:
     }
     void soft_shadows() {
         const auto light = std::ranges::find_if(
-            scene_.lights, [](const SceneLight& l) { return l.shines() && l.area.samples > 1; });
+            scene_.lights, [](const SceneLight& l) { return l.shines() && l.area.is_sampled(); });
         if (light == scene_.lights.end())
             add(Effect::soft_shadows, false,
-                std::ranges::any_of(scene_.lights, [](const SceneLight& l) { return l.area.samples > 1; })
+                std::ranges::any_of(scene_.lights, [](const SceneLight& l) { return l.area.is_sampled(); })
                     ? "no light with an area shines: their colours are 0"
                     : "no light has an area: one point of each tells");
         else if (first_lit() == nullptr)
             add(Effect::soft_shadows, false, no_answer);
         else
             add(Effect::soft_shadows, true,
-                fmt::format("light '{}' has an area, asked at {} points{}", light->name, light->area.samples,
-                            at(light->place)));
+                fmt::format("light '{}' has an area, asked at {} point{}{}", light->name, light->area.samples,
+                            light->area.samples == 1 ? "" : "s", at(light->place)));
     }
     void nested_media() {
         if (scene_.notes_media) {

@@ -3,7 +3,7 @@
 namespace rayscope {
 namespace {
 
-std::size_t length(const std::vector<CellLists::Item>& items, int coarser) {
+std::size_t length(std::span<const CellLists::Item> items, int coarser) {
     std::size_t sum = 0;
     for (const auto& item : items)
         sum += std::size_t((item.right >> coarser) - (item.left >> coarser) + 1) *
@@ -13,14 +13,17 @@ std::size_t length(const std::vector<CellLists::Item>& items, int coarser) {
 
 } // namespace
 
-CellLists::CellLists(int width, int height, std::vector<Item> items) {
+void CellLists::nearest_first(std::vector<Item>& items) {
+    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+        return a.nearest < b.nearest || (a.nearest == b.nearest && a.object < b.object);
+    });
+}
+
+CellLists::CellLists(int width, int height, std::span<const Item> items) {
     const std::size_t most = 16 * items.size() + 65536;
     while ((1 << coarser_) < std::max(width, height) && length(items, coarser_) > most) ++coarser_;
     width_ = ((width - 1) >> coarser_) + 1;
     height_ = ((height - 1) >> coarser_) + 1;
-    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
-        return a.nearest < b.nearest || (a.nearest == b.nearest && a.object < b.object);
-    });
     const auto each_cell = [&](const Item& item, const auto& use) {
         for (int y = item.top >> coarser_; y <= item.bottom >> coarser_; ++y)
             for (int x = item.left >> coarser_; x <= item.right >> coarser_; ++x)

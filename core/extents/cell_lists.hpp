@@ -25,7 +25,11 @@ public:
     CellLists() = default;
     /// Cells are joined two by two until the lists have a length in proportion to the number of items: a crowd in front of
     /// the eye fills all cells, and would fill all memory.
-    CellLists(int width, int height, std::vector<Item> items);
+    /// @param items in the order of nearest_first
+    CellLists(int width, int height, std::span<const Item> items);
+
+    /// Sorts by the least distance, then by the object.
+    static void nearest_first(std::vector<Item>& items);
 
     [[nodiscard]] std::span<const Entry> at(int x, int y) const {
         const std::size_t cell =

@@ -21,13 +21,14 @@ public:
     template <typename Search> [[gnu::noinline]] void look(const RayUse& /*use*/, Search& search) const {
         Counters& counters = search.work().counters;
         for (std::uint32_t id = 0; id < this->world_.objects.size(); ++id) {
-            ++counters.boxes;
-            if (!apart_[id] && !may_hit(this->world_.objects[id], search.ray(), search.reach())) {
-                ++counters.boxes_missed;
-                continue;
+            if (!apart_[id]) {
+                ++counters.boxes;
+                if (!may_hit(this->world_.objects[id], search.ray(), search.reach())) {
+                    ++counters.boxes_missed;
+                    continue;
+                }
+                if constexpr (Search::recording) search.recorder().record(extent_entered(id, search.ray()));
             }
-            if constexpr (Search::recording)
-                if (!apart_[id]) search.recorder().record(extent_entered(id, search.ray()));
             if (search.test(id)) return;
         }
     }
@@ -43,7 +44,7 @@ private:
     [[nodiscard]] bool may_hit(const Object& object, const Ray<T>& ray, T reach) const {
         if (object.is_compound) { // the box that its parts make together, in world space
             const Box<T> box = as<T>(object.bounds);
-            return may_hit(SlabRay<T>(ray, largest_coordinate(box), most_distorted<T>), box, reach);
+            return may_hit(SlabRay<T>(ray, largest_coordinate(box), T(most_distorted_object)), box, reach);
         }
         const Solid<N>& solid = this->world_.solids[object.index];
         const Box<T> box = std::visit([](const auto& s) { return s.bounds(); }, solid.shape);

@@ -22,7 +22,7 @@ template <Numbers N> LightExtents<N>::LightExtents(const World<N>& world) : worl
     farthest_ = 1024 * reach_.size();
     margin_ = reach_.margin(farthest_);
     for (const Light& light : world.lights)
-        lights_.push_back(together_.empty() ? LightsView{} : view_of(light));
+        lights_.push_back(together_.empty() || light.area.is_sampled() ? LightsView{} : view_of(light));
 }
 
 template <Numbers N> auto LightExtents<N>::view_of(const Light& light) const -> LightsView {
@@ -146,8 +146,7 @@ auto LightExtents<N>::window(const LightView& view, const Rectangles& rectangles
             {cell(left), cell(top), cell(right), cell(bottom), below(seen->nearest), together_[i]});
     }
     result.covered.assign(std::size_t(view.cells) * std::size_t(view.cells), infinity<float>);
-    // The nearest first: what lies behind them covers nothing that is not covered.
-    std::ranges::sort(items, {}, &CellLists::Item::nearest);
+    CellLists::nearest_first(items); // covers too: what lies behind them covers nothing that is not covered
     std::size_t looks = cover_looks_per_cell * result.covered.size() + 64 * items.size();
     for (const CellLists::Item& item : items) {
         const Object& object = world_.objects[item.object];
@@ -158,7 +157,7 @@ auto LightExtents<N>::window(const LightView& view, const Rectangles& rectangles
         looks -= cells;
         cover(result, object, item);
     }
-    result.lists = CellLists(view.cells, view.cells, std::move(items));
+    result.lists = CellLists(view.cells, view.cells, items);
     return result;
 }
 

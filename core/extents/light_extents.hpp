@@ -22,7 +22,7 @@ public:
 
     [[nodiscard]] std::size_t entries() const;
     [[nodiscard]] std::size_t bytes() const;
-    /// For people: one, six where the light stands among the objects, none where there are none.
+    /// For people: one, six where the light stands among the objects, none where there are none or the light has an area.
     [[nodiscard]] std::vector<LightWindow> windows_of(std::size_t light) const;
 
 private:
@@ -60,8 +60,10 @@ template <typename Search>
 void LightExtents<N>::look(const RayUse& use, Search& search) const {
     const Vec3d from = as<double>(search.ray().origin);
     if (!(largest_component(absolute(from)) <= farthest_)) {
-        for (const std::uint32_t object : together_)
-            if (search.test(object)) return;
+        const SlabRay<double> ray(as<double>(search.ray()), reach_.size(), reach_.distortion);
+        if (!ray.reliable() || ray.may_hit(reach_.bounds, double(search.reach())))
+            for (const std::uint32_t object : together_)
+                if (search.test(object)) return;
     } else {
         const LightsView& light = lights_[std::size_t(use.light)];
         for (const Window& window : light.windows) {

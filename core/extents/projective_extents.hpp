@@ -95,7 +95,8 @@ ProjectiveExtents<N>::ProjectiveExtents(const World<N>& world, const ScreenView&
         items.push_back({tile_of(r.left - rounding, width), tile_of(r.top - rounding, height),
                          tile_of(r.right + rounding, width), tile_of(r.bottom + rounding, height),
                          below(r.nearest), r.object});
-    lists_ = CellLists(tiles_along(width), tiles_along(height), std::move(items));
+    CellLists::nearest_first(items);
+    lists_ = CellLists(tiles_along(width), tiles_along(height), items);
 }
 
 template <Numbers N>

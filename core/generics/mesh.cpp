@@ -141,37 +141,36 @@ template <Numbers N> auto Mesh<N>::intervals(const Ray<T>& ray, int leaving) con
     return found;
 }
 
-template <Numbers N> auto Mesh<N>::normal(const Vec3<T>& /*p*/, int triangle) const -> Vec3<T> {
-    const Corners t = corners(std::size_t(triangle));
+template <Numbers N> auto Mesh<N>::normal(const Vec3<T>& p, int triangle) const -> Vec3<T> {
+    const Edges t = edges(triangle, p);
     const Vec3<T> n = t.area();
     if (dot(n, n) > T(0)) return n;
     // Without area: some vector at right angles to an edge, so that nothing has to be divided by zero.
-    const Vec3<T> edge = t.b - t.a, size = absolute(edge);
+    const Vec3<T> size = absolute(t.ab);
     const Vec3<T> axis = size.x > size.y ? Vec3<T>{T(0), T(1), T(0)} : Vec3<T>{T(1), T(0), T(0)};
-    const Vec3<T> across = cross(edge, axis);
+    const Vec3<T> across = cross(t.ab, axis);
     return dot(across, across) > T(0) ? across : Vec3<T>{T(0), T(0), T(1)};
 }
 
 template <Numbers N> auto Mesh<N>::value(const Vec3<T>& p, int triangle) const -> T {
     const Corners t = corners(std::size_t(triangle));
-    return magnitude(dot(normalized(t.area()), p - t.a));
+    return magnitude(dot(normalized(edges(triangle, p).area()), p - t.a));
 }
 
 // Each component of the two edges is rounded by half an ε: with them the normal by ε |edge| |edge|, and the plane at p by
 // as much times the distance from the corner that it is hung up on.
 template <Numbers N> auto Mesh<N>::tilt(const Vec3<T>& p, int triangle) const -> T {
-    const Corners t = corners(std::size_t(triangle));
-    const Vec3<T> ab = t.b - t.a, ac = t.c - t.a;
-    return T(4) * epsilon<T> * length(ab) * length(ac) * length(p - t.a);
+    const Edges t = edges(triangle, p);
+    return T(4) * epsilon<T> * length(t.ab) * length(t.ac) * length(p - corners(std::size_t(triangle)).a);
 }
 
 template <Numbers N> auto Mesh<N>::barycentric(const Vec3<T>& p, int triangle) const -> Vec3<T> {
-    const Corners t = corners(std::size_t(triangle));
+    const Edges t = edges(triangle, p);
     const Vec3<T> n = t.area();
     const T whole = dot(n, n);
     if (!(whole > T(0))) return {T(1), T(0), T(0)};
-    const T b = dot(n, cross(p - t.a, t.c - t.a)) / whole;
-    const T c = dot(n, cross(t.b - t.a, p - t.a)) / whole;
+    const T b = dot(n, cross(t.ap, t.ac)) / whole;
+    const T c = dot(n, cross(t.ab, t.ap)) / whole;
     return {T(1) - b - c, b, c};
 }
 

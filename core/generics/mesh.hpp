@@ -74,12 +74,22 @@ public:
 private:
     struct Corners {
         Vec3<T> a, b, c;
-        [[nodiscard]] Vec3<T> area() const { return cross(b - a, c - a); }
     };
     [[nodiscard]] Corners corners(std::size_t triangle) const {
         const MeshData& data = triangles_->data();
         const MeshData::Corners& t = data.triangles[triangle];
         return {as<T>(data.positions[t[0]]), as<T>(data.positions[t[1]]), as<T>(data.positions[t[2]])};
+    }
+    /// Two edges and the way to a point from the corner between them, in the mesh's own scale: the square of an area
+    /// is a number in it.
+    struct Edges {
+        Vec3<T> ab, ac, ap;
+        [[nodiscard]] Vec3<T> area() const { return cross(ab, ac); }
+    };
+    [[nodiscard]] Edges edges(int triangle, const Vec3<T>& p) const {
+        const Corners t = corners(std::size_t(triangle));
+        const T scale = is_finite(T(triangles_->scale())) ? T(triangles_->scale()) : T(1);
+        return {(t.b - t.a) * scale, (t.c - t.a) * scale, (p - t.a) * scale};
     }
     [[nodiscard]] bool is_outside_of_bounds(const Vec3<T>& p) const;
     template <typename Counts>

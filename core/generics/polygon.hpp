@@ -22,7 +22,8 @@ public:
 
     Polygon() = default;
     /// @param vertices at least three, flat, not all on one line
-    /// @param normals one for each vertex, for smooth shading; or none
+    /// @param normals one for each vertex, for smooth shading; or none. With them the triangles from the first vertex to
+    /// each side must be the polygon, as those of a convex one are: they are interpolated in these
     explicit Polygon(std::vector<Vec3<T>> vertices, std::vector<Vec3<T>> normals = {});
 
     /// One crossing without length, where the line meets the plane within the outline.

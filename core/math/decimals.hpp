@@ -9,8 +9,10 @@ inline constexpr double same_radius = 1e-12;
 
 /// Distance from its plane of a polygon's vertex, in the polygon's size: for a file that can be edited.
 inline constexpr double flatness = 1e-6;
-/// The same for files with few digits that nobody edits.
-inline constexpr double few_digits_flatness = 1e-3;
+/// For files that programs write with six digits: how far they may move a coordinate, as a share of the largest one.
+inline constexpr double six_digits = 1e-5;
+/// At most so much of the polygon's size, however far away it lies.
+inline constexpr double largest_flatness = 1e-3;
 
 /// Area of a polygon in squares of its size: below, its vertices lie on one line.
 inline constexpr double least_area = 1e-12;

@@ -15,7 +15,7 @@ struct MeshData {
 
     std::vector<Vec3d> positions;
     std::vector<Corners> triangles;        ///< counter-clockwise as seen from outside: indices of positions
-    std::vector<Vec3<float>> normals;      ///< of any length, for smooth shading; or none
+    std::vector<Vec3<float>> normals;      ///< of any length, to either side, for smooth shading; or none
     std::vector<Corners> triangle_normals; ///< of each corner, where they are not numbered like the positions
 
     int first_number = 0; ///< what the file calls the first vertex

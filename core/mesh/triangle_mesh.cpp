@@ -15,25 +15,10 @@ void turn_inside_out(MeshData& mesh) {
         for (MeshData::Corners& t : *corners) std::swap(t[1], t[2]);
 }
 
-// Whether the corners' normals, all in all, look to the side from which the triangles run counter-clockwise. Programs
-// differ in how they wind; a normal says which side is meant.
-bool normals_agree(const MeshData& mesh) {
-    double sum = 0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const MeshData::Corners& t = mesh.triangles[i];
-        const Vec3d& a = mesh.positions[t[0]];
-        const Vec3d area = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
-        for (const std::uint32_t n : mesh.normals_of(i)) sum += dot(as<double>(mesh.normals[n]), area);
-    }
-    return sum >= 0;
-}
-
 } // namespace
 
 TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)), hole_(find_hole(data_)) {
     if (!hole_ && signed_volume(data_) < 0) turn_inside_out(data_);
-    if (data_.smooth() && !normals_agree(data_))
-        for (Vec3<float>& n : data_.normals) n = -n;
     for (const Vec3d& p : data_.positions) bounds_.include(p);
     scale_ = tree_scale(largest_coordinate(bounds_));
     std::vector<BoxedItem> items;

@@ -5,6 +5,8 @@
 #include "core/mesh/closed.hpp"
 #include "core/mesh/triangle_groups.hpp"
 
+#include <functional>
+
 namespace rayscope {
 
 /// Immutable. About 100 bytes a triangle where six triangles share a vertex.
@@ -18,6 +20,8 @@ public:
     [[nodiscard]] const MeshData& data() const { return data_; }
     [[nodiscard]] std::size_t size() const { return data_.triangles.size(); }
     [[nodiscard]] const Box<double>& bounds() const { return bounds_; }
+    /// A power of two that brings all coordinates below 2.
+    [[nodiscard]] double scale() const { return scale_; }
     /// Where it is open; nothing if it encloses a volume.
     [[nodiscard]] const std::optional<Hole>& hole() const { return hole_; }
     [[nodiscard]] std::size_t bytes() const;

@@ -22,6 +22,13 @@ Vec3d newell_normal(std::span<const Vec3d> corners) {
 
 } // namespace
 
+bool is_fan(std::span<const Vec3d> corners) {
+    const Vec3d normal = newell_normal(corners);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        if (!(dot(normal, cross(corners[i] - corners[0], corners[i + 1] - corners[0])) > 0)) return false;
+    return true;
+}
+
 std::span<const MeshData::Corners> Triangulation::of(std::span<const Vec3d> corners) {
     triangles_.clear();
     if (corners.size() == 3) {

@@ -7,6 +7,9 @@
 
 namespace rayscope {
 
+/// Whether the triangles from the first corner to each side are the polygon, as those of every convex one are.
+[[nodiscard]] bool is_fan(std::span<const Vec3d> corners);
+
 /// Ears are cut off (Meisters 1975) until three corners are left: n − 2 triangles that run around like the outline, which
 /// may be concave. Each side of the outline is a side of one of them, each cut one of two, whatever the outline: a closed
 /// mesh stays closed. Takes n² steps at most.

@@ -3,7 +3,7 @@
 
 #include "core/boxes/slab_ray.hpp"
 #include "core/math/lanes.hpp"
-#include "core/octree/limits.hpp"
+#include "core/octree/statistics.hpp"
 
 #include <array>
 #include <bit>

@@ -31,6 +31,10 @@ template <Numbers N> void OctreeBuilder<N>::build() {
     if (!lists_.empty()) {
         choose_limits();
         level_.push_back({no_parent, 0, 0, tree_.whole_, tree_.bounds_, 0, lists_.size()});
+    } else {
+        limits_ = wanted_;
+        OctreeReasons& reasons = tree_.statistics_.reasons;
+        reasons.depth = reasons.capacity = reasons.least_size = "no object has an end";
     }
     for (level_depth_ = 0; !level_.empty(); ++level_depth_) {
         next_level_.clear();

@@ -74,7 +74,7 @@ private:
             say("material '{}': its patterns are left out, their means are taken",
                 scene_.materials[material].name);
         for (const SceneLight& light : scene_.lights)
-            if (light.area.samples > 1) say("light '{}': its area is asked at points of a grid", light.name);
+            if (light.area.is_sampled()) say("light '{}': its area is asked at points of a grid", light.name);
         if (scene_.camera.samples > 1)
             say("samples are left out: POV-Ray's own antialiasing is an option of its command line, +A");
     }
@@ -141,11 +141,10 @@ private:
     }
 
     void find_in_shapes() {
-        std::size_t smooth = 0, flattened = 0;
-        for (const SceneGeneric& generic : scene_.generics)
-            if (const auto* polygon = std::get_if<Polygon<double>>(&generic.shape);
-                polygon != nullptr && polygon->smooth())
-                ++(is_fan(*polygon) ? smooth : flattened);
+        const bool smooth = std::ranges::any_of(scene_.generics, [](const SceneGeneric& generic) {
+            const auto* polygon = std::get_if<Polygon<double>>(&generic.shape);
+            return polygon != nullptr && polygon->smooth();
+        });
         for (std::size_t id = 0; id < scene_.drawn.size(); ++id) {
             const SceneObject& drawn = scene_.drawn[id];
             if (drawn.is_compound || !world_.material_of(std::uint32_t(id)).transmits()) continue;
@@ -154,11 +153,9 @@ private:
                 say("mesh '{}': where its parts overlap, their inner walls are seen",
                     scene_.generics[drawn.index].name);
         }
-        if (smooth > 0)
+        if (smooth)
             say("where a smooth polygon's normal turns away from the eye, POV-Ray turns it back, instead of "
-                "taking "
-                "the flat one");
-        if (flattened > 0) say("{} smooth polygons that are not convex are shaded as flat ones", flattened);
+                "taking the flat one");
     }
 
     void find_in_compounds() {
@@ -182,14 +179,6 @@ private:
 } // namespace
 
 bool casts_shadows(const Scene& scene) { return std::ranges::any_of(scene.lights, &SceneLight::shadows); }
-
-bool is_fan(const Polygon<double>& polygon) {
-    const auto& corners = polygon.vertices();
-    const Vec3d normal = area_vector(corners);
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        if (!(dot(normal, cross(corners[i] - corners[0], corners[i + 1] - corners[0])) > 0)) return false;
-    return true;
-}
 
 std::vector<std::string> differences(const Scene& scene, const WorldBase& world) {
     return Differences(scene, world).find();

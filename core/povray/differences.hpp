@@ -15,9 +15,6 @@ namespace rayscope::povray {
 /// Whether any light has shadows.
 [[nodiscard]] bool casts_shadows(const Scene& scene);
 
-/// Whether the triangles that a smooth polygon is cut into cover it and nothing else.
-[[nodiscard]] bool is_fan(const Polygon<double>& polygon);
-
 /// POV-Ray's largest max_trace_level, which counts the eye ray.
 inline constexpr int most_trace_levels = 256;
 

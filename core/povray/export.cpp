@@ -87,7 +87,7 @@ private:
 
     // A grid of points. A sphere shows each point the disk that faces it.
     [[nodiscard]] std::string area(const LightArea& area) const {
-        if (area.samples < 2) return "";
+        if (!area.is_sampled()) return "";
         const bool round = area.shape != LightArea::Shape::rectangle;
         const double half = area.shape == LightArea::Shape::rectangle ? 1 : area.radius;
         const Vec3d u = area.shape == LightArea::Shape::sphere ? Vec3d{1, 0, 0} : area.u;

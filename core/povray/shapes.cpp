@@ -37,7 +37,7 @@ public:
     }
     // Corners are moved here: POV-Ray takes a small polygon that a matrix would enlarge for none.
     std::string operator()(const Polygon<double>& polygon) const {
-        if (polygon.smooth() && is_fan(polygon)) return smooth(polygon);
+        if (polygon.smooth()) return smooth(polygon);
         if (meets_itself(polygon)) return cut(polygon);
         std::string corners;
         for (const Vec3d& v : polygon.vertices()) corners += (corners.empty() ? "" : ", ") + corner(v);

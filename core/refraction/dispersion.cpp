@@ -17,6 +17,29 @@ Dispersion Dispersion::by_abbe_number(double index, double abbe) {
     return {Formula::cauchy, {index - b / squared_micrometres(line_d), b}};
 }
 
+bool Dispersion::spreads() const {
+    const auto& c = coefficients;
+    switch (formula) {
+    case Formula::cauchy: return c[1] != 0 || c[2] != 0;
+    case Formula::sellmeier:
+        for (std::size_t i = 0; i < 3; ++i)
+            if (c[i] != 0 && c[i + 3] != 0) return true;
+        return false;
+    case Formula::constant: break;
+    }
+    return false;
+}
+
+std::optional<double> Dispersion::pole() const {
+    if (formula != Formula::sellmeier) return std::nullopt;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double wavelength = 1000 * std::sqrt(coefficients[i + 3]); // NaN: at none
+        if (coefficients[i] != 0 && wavelength >= shortest_wavelength && wavelength <= longest_wavelength)
+            return wavelength;
+    }
+    return std::nullopt;
+}
+
 double Dispersion::index(double wavelength) const {
     const auto& c = coefficients;
     const double x = squared_micrometres(wavelength);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace rayscope {
 
@@ -23,10 +24,9 @@ struct Dispersion {
     [[nodiscard]] static Dispersion by_abbe_number(double index, double abbe);
 
     /// False, too, for a formula that gives all wavelengths one index.
-    [[nodiscard]] bool spreads() const {
-        const auto& c = coefficients;
-        return formula == Formula::cauchy ? c[1] != 0 || c[2] != 0 : formula == Formula::sellmeier;
-    }
+    [[nodiscard]] bool spreads() const;
+    /// Whether a term of Sellmeier's formula grows beyond all bounds at a wavelength of the part that is sampled, nm.
+    [[nodiscard]] std::optional<double> pole() const;
     [[nodiscard]] bool operator==(const Dispersion&) const = default;
     /// @param wavelength in a vacuum, nm
     /// @return n; of Sellmeier's formula NaN where it has no meaning

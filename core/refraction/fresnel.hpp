@@ -34,9 +34,11 @@ template <Numbers N, Scalar T = ScalarOf<N>>
 }
 
 /// Schlick's approximation (1994) of the unpolarized share: R₀ + (1 − R₀)(1 − cos θ)⁵ with R₀ that of normal incidence and
-/// θ the angle on the side of the larger index. Off by up to a few hundredths; everything at total internal reflection.
+/// θ the angle on the side of the larger index. Off by up to a few hundredths, and where the media are nearly alike by
+/// up to 1 at grazing angles; nothing between equal ones, everything at total internal reflection.
 template <Scalar T> [[nodiscard]] T schlick(const Refraction<T>& bent, T speed_from, T speed_to) {
     if (bent.total()) return T(1);
+    if (speed_from == speed_to) return T(0); // no boundary
     const T contrast = (speed_to - speed_from) / (speed_to + speed_from);
     const T r0 = contrast * contrast;
     const T x = T(1) - (speed_from < speed_to ? sqrt(bent.radicand) : bent.cosine);

@@ -92,7 +92,7 @@ private:
         for (const SceneLight& l : scene_.lights) {
             const LightArea area = l.shines() ? l.area : LightArea{};
             world_.lights.push_back({l.directional, l.position, l.colour, l.shines() && l.shadows, area});
-            if (area.samples > 1) world_.effects = EffectMask::all;
+            if (area.is_sampled()) world_.effects = EffectMask::all;
         }
         world_.background = scene_.background;
         world_.ambient = scene_.ambient;

@@ -1,6 +1,7 @@
 #include "core/scene/nff_tokens.hpp"
 
 #include "core/files/utf8.hpp"
+#include "core/scene/decimal_number.hpp"
 #include "core/scene/wording.hpp"
 
 #include <fmt/format.h>
@@ -29,6 +30,7 @@ std::string shown(const NffToken& token) {
 } // namespace
 
 NffTokens::NffTokens(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {
+    if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3); // the mark of UTF-8, by some editors
     advance();
 }
 
@@ -42,7 +44,8 @@ void NffTokens::advance() {
     std::size_t i = 0;
     for (bool in_comment = false; i < rest_.size(); ++i) {
         const char c = rest_[i];
-        if (c == '\n') {
+        const bool is_lone_return = c == '\r' && !rest_.substr(i).starts_with("\r\n");
+        if (c == '\n' || is_lone_return) {
             here_ = {here_.line + 1, 1};
             in_comment = false;
             continue;
@@ -67,19 +70,12 @@ bool NffTokens::number_follows() const {
 }
 
 double NffTokens::number(std::string_view what) {
-    const std::string_view text = without_plus(next_.text);
-    double x = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-    const bool whole = !text.empty() && end == text.data() + text.size();
-    // Too small for a double is zero enough; too large is caught with the infinities.
-    const bool tiny = error == std::errc::result_out_of_range && (text.find("e-") != std::string_view::npos ||
-                                                                  text.find("E-") != std::string_view::npos);
-    if (!whole || error == std::errc::invalid_argument || !(std::abs(x) <= largest_value) ||
-        (error == std::errc::result_out_of_range && !tiny))
+    const auto x = decimal_number(next_.text);
+    if (!x || !(std::abs(*x) <= largest_value))
         fail(next_,
              fmt::format("expected {}, a number of at most 1e150 in size, found {}", what, shown(next_)));
     advance();
-    return x;
+    return *x;
 }
 
 int NffTokens::integer(std::string_view what, int min, int max) {

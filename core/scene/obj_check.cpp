@@ -1,5 +1,6 @@
 #include "core/scene/obj_check.hpp"
 
+#include "core/scene/decimal_number.hpp"
 #include "core/scene/input_error.hpp"
 #include "core/scene/mesh_builder.hpp"
 #include "core/scene/wording.hpp"
@@ -17,7 +18,7 @@ class ObjCheck {
 public:
     ObjCheck(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
 
-    void run() {
+    [[nodiscard]] ObjNumbers run() {
         while (!rest_.empty()) {
             ++place_.line;
             const auto end = std::min(rest_.find_first_of("\r\n"), rest_.size());
@@ -28,30 +29,33 @@ public:
             rest_.remove_prefix(
                 std::min(rest_.size(), end + (rest_.substr(end).starts_with("\r\n") ? 2 : 1)));
         }
+        return std::move(numbers_);
     }
 
 private:
     void check_line() {
         std::string_view words = line_;
         const std::string_view keyword = take(words);
-        if (keyword == "v") return check_numbers(words, 3, 7); // x y z [w], or x y z r g b [a]
-        if (keyword == "vn") return check_numbers(words, 3, 3);
+        if (keyword == "v")
+            numbers_.positions.push_back(numbers(words, 3, 7)); // x y z [w], or x y z r g b [a]
+        if (keyword == "vn") numbers_.normals.push_back(numbers(words, 3, 3));
         if (keyword == "f") check_corners(words);
     }
 
-    void check_numbers(std::string_view words, int least, int most) const {
+    // The first three.
+    [[nodiscard]] Vec3d numbers(std::string_view words, int least, int most) const {
+        Vec3d first{0};
         int count = 0;
         for (std::string_view word = take(words); !word.empty(); word = take(words), ++count) {
-            const std::string_view number = word.starts_with('+') ? word.substr(1) : word;
-            double x = 0;
-            const auto [end, error] = std::from_chars(number.begin(), number.end(), x);
-            if (error == std::errc::invalid_argument || end != number.end() || !is_finite(x))
-                fail(word, "expected a number, found " + in_quotes(word));
+            const auto number = decimal_number(word);
+            if (!number || !is_finite(*number)) fail(word, "expected a number, found " + in_quotes(word));
+            if (count < 3) first[count] = *number;
         }
         if (count < least || count > most)
             fail(line_, least == most
                             ? fmt::format("expected {} numbers, found {}", least, count)
                             : fmt::format("expected {} to {} numbers, found {}", least, most, count));
+        return first;
     }
 
     // vertex, vertex/texture, vertex//normal or vertex/texture/normal
@@ -96,10 +100,11 @@ private:
     std::string_view rest_, line_;
     const std::string& file_;
     Place place_;
+    ObjNumbers numbers_;
 };
 
 } // namespace
 
-void check_obj(std::string_view text, const std::string& file) { ObjCheck(text, file).run(); }
+ObjNumbers check_obj(std::string_view text, const std::string& file) { return ObjCheck(text, file).run(); }
 
 } // namespace rayscope

@@ -1,13 +1,13 @@
 #include "core/scene/ply_body.hpp"
 
 #include "core/math/scalar.hpp"
+#include "core/scene/decimal_number.hpp"
 #include "core/scene/wording.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace rayscope {
 namespace {
@@ -17,31 +17,39 @@ bool ends_a_word(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 } // namespace
 
 double PlyDecimals::next(PlyType type) {
-    std::size_t begin = 0;
-    for (; begin < rest_.size() && ends_a_word(rest_[begin]); ++begin)
-        if (rest_[begin] == '\n') ++line_;
-    rest_.remove_prefix(begin);
+    skip_blanks();
     if (rest_.empty()) fail("expected a number, found the end of the file");
-    const char *first = rest_.data(), *const last = rest_.data() + rest_.size();
-    if (*first == '+' && last - first > 1 && first[1] != '-') ++first; // which std::from_chars does not take
-    double x = 0;
-    const auto [end, error] = std::from_chars(first, last, x);
-    if (error == std::errc::invalid_argument || (end != last && !ends_a_word(*end))) {
-        const auto* const blank = std::find_if(first, last, ends_a_word);
-        fail("expected a number, found " + in_quotes({rest_.data(), std::size_t(blank - rest_.data())}));
-    }
-    const std::string_view text(first, std::size_t(end - first));
-    if (error == std::errc::result_out_of_range) { // too small for a double is zero enough
-        const bool tiny =
-            text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
-        x = tiny ? 0 : infinity<double>;
-    }
-    if (type < PlyType::float32 && x != std::trunc(x)) fail("expected an integer, found " + in_quotes(text));
-    rest_.remove_prefix(std::size_t(end - rest_.data()));
-    return x;
+    const auto* const blank = std::find_if(rest_.begin(), rest_.end(), ends_a_word);
+    const std::string_view word(rest_.begin(), blank);
+    const auto x = decimal_number(word);
+    if (!x) fail("expected a number, found " + in_quotes(word));
+    if (type < PlyType::float32 && *x != std::trunc(*x))
+        fail("expected an integer, found " + in_quotes(word));
+    rest_.remove_prefix(word.size());
+    return *x;
+}
+
+void PlyDecimals::end() {
+    skip_blanks();
+    if (!rest_.empty())
+        fail("expected the end of the file: the header counts no more elements; found " +
+             in_quotes({rest_.begin(), std::find_if(rest_.begin(), rest_.end(), ends_a_word)}));
+}
+
+void PlyDecimals::skip_blanks() {
+    const auto* const word = std::find_if_not(rest_.begin(), rest_.end(), ends_a_word);
+    line_ += int(std::count(rest_.begin(), word, '\n'));
+    rest_.remove_prefix(std::size_t(word - rest_.begin()));
 }
 
 void PlyDecimals::fail(const std::string& message) const { throw InputError(file_, {line_, 0}, message); }
+
+void PlyBytes::end() const {
+    if (!std::all_of(rest_.begin(), rest_.end(), ends_a_word))
+        fail(fmt::format(
+            "expected the end of the file: the header counts no more elements; found {} more bytes",
+            rest_.size()));
+}
 
 void PlyBytes::fail(const std::string& message) const {
     throw InputError(file_, {}, fmt::format("at byte {} (from 0): {}", size_ - rest_.size(), message));

@@ -12,10 +12,14 @@ public:
         : rest_(text.substr(header.body)), file_(file), line_(header.body_line) {}
 
     [[nodiscard]] double next(PlyType type);
+    /// Fails where anything but blanks is left.
+    void end();
     /// "file:line: message"
     [[noreturn]] void fail(const std::string& message) const;
 
 private:
+    void skip_blanks();
+
     std::string_view rest_;
     const std::string& file_;
     int line_;
@@ -31,6 +35,8 @@ public:
           big_endian_(header.format == PlyFormat::big_endian) {}
 
     [[nodiscard]] double next(PlyType type);
+    /// Fails where anything but blanks is left.
+    void end() const;
     /// "file: at byte 123 (from 0): message"
     [[noreturn]] void fail(const std::string& message) const;
 

@@ -191,22 +191,48 @@ private:
         add_polygon(command, std::move(vertices), std::move(normals));
     }
 
-    // A patch need not be flat: then it is cut into triangles, which are.
     void add_polygon(const NffToken& command, std::vector<Vec3d> vertices, std::vector<Vec3d> normals) {
-        const auto problem = polygon_problem(vertices, decimals::few_digits_flatness);
-        if (!problem)
-            return draw(command, Polygon<double>(std::move(vertices), std::move(normals)), Mat4d{1});
-        const bool only_bent = vertices.size() <= mesh_limits::most_corners &&
-                               !polygon_problem(vertices, infinity<double>).has_value();
-        if (vertices.size() <= 3 || !only_bent) return warn(command, *problem + "; it is left out");
+        if (const auto problem = polygon_problem(vertices, infinity<double>))
+            return warn(command, *problem + "; it is left out");
+        const bool can_cut = vertices.size() <= mesh_limits::most_corners;
+        if (const auto bent = polygon_problem(vertices, flatness_of(vertices)); bent && vertices.size() > 3) {
+            if (can_cut) return add_triangles(command, vertices, normals);
+            return warn(command, fmt::format("{}, and of more than {} it is not cut; it is left out", *bent,
+                                             mesh_limits::most_corners));
+        }
+        if (!normals.empty() && !is_fan(vertices)) {
+            if (can_cut) return add_triangles(command, vertices, normals);
+            warn(command,
+                 fmt::format("a polygon of more than {} vertices that is not convex is shaded as a flat one",
+                             mesh_limits::most_corners));
+            normals.clear();
+        }
+        draw(command, Polygon<double>(std::move(vertices), std::move(normals)), Mat4d{1});
+    }
+
+    // In the polygon's size. Where it lies farther off its plane than rounding explains, that plane would stand out of its
+    // neighbours' along their common edges, and throw shadows on them.
+    [[nodiscard]] static double flatness_of(const std::vector<Vec3d>& vertices) {
+        double largest = 0, size = 0;
+        for (const Vec3d& vertex : vertices) {
+            largest = maximum(largest, largest_component(absolute(vertex)));
+            size = maximum(size, length(vertex - vertices[0]));
+        }
+        return minimum(maximum(decimals::six_digits * largest / size, decimals::flatness),
+                       decimals::largest_flatness);
+    }
+
+    // What is not flat, or has normals that no fan of triangles interpolates. Triangles without area are not drawn.
+    void add_triangles(const NffToken& command, const std::vector<Vec3d>& vertices,
+                       const std::vector<Vec3d>& normals) {
         Triangulation triangulation;
         for (const MeshData::Corners& t : triangulation.of(vertices)) {
             const auto three = [&](const std::vector<Vec3d>& of) {
                 return of.empty() ? of : std::vector<Vec3d>{of[t[0]], of[t[1]], of[t[2]]};
             };
-            const std::vector<Vec3d> corners = three(vertices);
-            if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
-                add_polygon(command, corners, three(normals));
+            std::vector<Vec3d> corners = three(vertices);
+            if (!polygon_problem(corners, infinity<double>))
+                draw(command, Polygon<double>(std::move(corners), three(normals)), Mat4d{1});
         }
     }
 

@@ -31,19 +31,21 @@ public:
 
 class ObjReader {
 public:
-    ObjReader(std::string_view text, std::string file) : buffer_(text), file_(std::move(file)) {
+    ObjReader(std::string_view text, ObjNumbers numbers, std::string file)
+        : buffer_(text), file_(std::move(file)), normals_given_(std::move(numbers.normals)) {
         builder_.mesh.first_number = 1;
+        builder_.mesh.positions = std::move(numbers.positions);
         builder_.mesh.normals.emplace_back(0); // of corners without one
     }
 
     MeshData read() {
         std::istream stream(&buffer_);
         tinyobj::callback_t calls;
-        calls.vertex_cb = [](void* self, double x, double y, double z, double /*w*/) {
-            static_cast<ObjReader*>(self)->add_vertex({x, y, z});
+        calls.vertex_cb = [](void* self, double, double, double, double) {
+            static_cast<ObjReader*>(self)->pass_vertex();
         };
-        calls.normal_cb = [](void* self, double x, double y, double z) {
-            static_cast<ObjReader*>(self)->add_normal({x, y, z});
+        calls.normal_cb = [](void* self, double, double, double) {
+            static_cast<ObjReader*>(self)->add_normal();
         };
         calls.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
             static_cast<ObjReader*>(self)->add_face({corners, std::size_t(count)});
@@ -59,15 +61,17 @@ public:
     }
 
 private:
-    void add_vertex(const Vec3d& p) { builder_.mesh.positions.push_back(checked(p, "coordinates")); }
-    void add_normal(const Vec3d& n) { builder_.add_normal(checked(n, "a normal")); }
+    void pass_vertex() { (void)checked(builder_.mesh.positions[vertices_passed_++], "coordinates"); }
+    void add_normal() {
+        builder_.add_normal(checked(normals_given_[builder_.mesh.normals.size() - 1], "a normal"));
+    }
 
     void add_face(std::span<const tinyobj::index_t> corners) {
         vertices_.clear();
         normals_.clear();
         bool smooth = true;
         for (const tinyobj::index_t& corner : corners) {
-            vertices_.push_back(resolved(corner.vertex_index, builder_.mesh.positions.size(), "vertex"));
+            vertices_.push_back(resolved(corner.vertex_index, vertices_passed_, "vertex"));
             smooth = smooth && corner.normal_index != 0;
             if (smooth)
                 normals_.push_back(resolved(corner.normal_index, builder_.mesh.normals.size() - 1, "normal") +
@@ -106,6 +110,8 @@ private:
     TextBuffer buffer_;
     std::string file_;
     MeshBuilder builder_;
+    std::size_t vertices_passed_ = 0; // of the positions, which all are there from the beginning
+    std::vector<Vec3d> normals_given_;
     bool has_normals_ = false;
     std::vector<std::uint32_t> vertices_, normals_;
 };
@@ -114,8 +120,8 @@ private:
 
 MeshData parse_obj(std::string text, std::string file) {
     text = tidied_obj(std::move(text));
-    check_obj(text, file);
-    return ObjReader(text, std::move(file)).read();
+    ObjNumbers numbers = check_obj(text, file);
+    return ObjReader(text, std::move(numbers), std::move(file)).read();
 }
 
 } // namespace rayscope

@@ -43,6 +43,7 @@ public:
         if (builder_.mesh.triangles.empty())
             body_.fail(
                 "expected faces: 'element face COUNT' in the header (a cloud of points has no surface)");
+        body_.end();
         return std::move(builder_.mesh);
     }
 

@@ -25,6 +25,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t most_bytes)
     const auto fail = [&](const std::string& message) { throw InputError(path.string(), {}, message); };
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::none)
+        fail("the file can't be looked at: " + error.message());
     if (!std::filesystem::exists(status)) fail("there is no such file");
     if (std::filesystem::is_directory(status)) fail("expected a file, this is a directory");
     if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))

@@ -16,10 +16,8 @@ double most_light(const SceneMaterial& material) {
     if (mirrors && passes && mirrors->has_cells_of(*passes))
         return maximum(largest_component(mirrors->even + passes->even),
                        largest_component(mirrors->odd + passes->odd));
-    const auto largest = [](const Colour& colour, const std::optional<Pattern>& pattern) {
-        return pattern ? maximum_of(pattern->even, pattern->odd) : colour;
-    };
-    return largest_component(largest(material.reflection, mirrors) + largest(material.transmission, passes));
+    return largest_component(largest_of(material.reflection, mirrors) +
+                             largest_of(material.transmission, passes));
 }
 
 SceneMaterial read_material(const TomlEntry& entry) {

@@ -12,7 +12,11 @@ constexpr Bounds length_bounds{1e-100, 1e100};
 
 // The index must have a meaning for every wavelength that is sampled.
 void check_index(const TomlValue& blamed, const Dispersion& dispersion) {
-    constexpr int places = 64;
+    if (const auto pole = dispersion.pole())
+        blamed.fail(
+            fmt::format("a term of the formula is infinite at {:.6g} nm: expected √C outside of {} to {} nm",
+                        *pole, shortest_wavelength, longest_wavelength));
+    constexpr int places = 1024;
     for (int i = 0; i <= places; ++i) {
         const double wavelength =
             shortest_wavelength + (longest_wavelength - shortest_wavelength) * i / places;

@@ -25,7 +25,7 @@ template <Numbers N> [[nodiscard]] bool stands_apart(const World<N>& world, cons
     if (!object.bounds.bounded()) return true;
     constexpr double farthest = std::is_same_v<T, float> ? 0x1p30 : 0x1p300;
     return !(largest_coordinate(object.bounds) < farthest) ||
-           !(distortion_of(world, object) <= most_distorted<T>);
+           !(double(distortion_of(world, object)) <= most_distorted_object);
 }
 
 /// Of the objects that do not stand apart: how large they and their distortion are.

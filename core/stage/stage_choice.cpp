@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace rayscope {
 namespace {
@@ -24,15 +28,44 @@ StageKind kind_for(std::string_view ray, std::string_view name, std::optional<St
     throw std::invalid_argument(fmt::format("expected {} after '{}=', found '{}'", expected, ray, name));
 }
 
-void set(StageChoice& choice, std::string_view ray, std::string_view name) {
-    if (ray == "eye")
-        choice.eye = kind_for(ray, name, StageKind::projective);
-    else if (ray == "shadow")
-        choice.shadow = kind_for(ray, name, StageKind::light);
-    else if (ray == "other")
-        choice.other = kind_for(ray, name, std::nullopt);
+template <typename Number>
+Number limit_of(std::string_view name, std::string_view text, Number least, Number most,
+                const char* expected) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.begin(), text.end(), number);
+    if (error != std::errc{} || end != text.end() || !(number >= least && number <= most))
+        throw std::invalid_argument(fmt::format("expected {} after '{}=', found '{}'", expected, name, text));
+    return number;
+}
+
+constexpr std::array<std::string_view, 6> settings{"eye",      "shadow", "other",
+                                                   "capacity", "depth",  "least_size"};
+
+bool is_limit(std::string_view setting) {
+    return std::find(settings.begin() + 3, settings.end(), setting) != settings.end();
+}
+
+void set(StageChoice& choice, std::string_view setting, std::string_view value) {
+    if (setting == "eye")
+        choice.eye = kind_for(setting, value, StageKind::projective);
+    else if (setting == "shadow")
+        choice.shadow = kind_for(setting, value, StageKind::light);
+    else if (setting == "other")
+        choice.other = kind_for(setting, value, std::nullopt);
+    else if (setting == "capacity")
+        choice.octree.capacity =
+            limit_of(setting, value, 1, 1000000, "a number of objects from 1 to 1000000");
+    else if (setting == "depth")
+        choice.octree.depth =
+            limit_of(setting, value, 1, OctreeLimits::deepest,
+                     fmt::format("a number of levels from 1 to {}", OctreeLimits::deepest).c_str());
+    else if (setting == "least_size")
+        choice.octree.least_size = limit_of(setting, value, std::numeric_limits<double>::min(), 1.0,
+                                            "a share of the whole's edge, above 0 and up to 1");
     else
-        throw std::invalid_argument(fmt::format("expected eye=, shadow= or other=, found '{}='", ray));
+        throw std::invalid_argument(fmt::format(
+            "expected eye=, shadow=, other= or, of an octree, capacity=, depth= or least_size=, found '{}='",
+            setting));
 }
 
 } // namespace
@@ -40,24 +73,37 @@ void set(StageChoice& choice, std::string_view ray, std::string_view name) {
 std::string_view name_of(StageKind kind) { return names[std::size_t(kind)]; }
 
 StageChoice stage_choice(std::string_view text) {
-    for (const Rung& rung : rungs)
-        if (text == rung.name) return rung.choice;
-    if (text.find('=') == std::string_view::npos)
+    const std::string_view first = text.substr(0, text.find(','));
+    const auto rung = std::ranges::find(rungs, first, &Rung::name);
+    const bool is_rung = rung != rungs.end();
+    if (!is_rung && first.find('=') == std::string_view::npos)
         throw std::invalid_argument(
             fmt::format("expected best, scan, extents, projective, light, octree, bvh, or "
                         "eye=…,shadow=…,other=…, found '{}'",
                         text));
-    StageChoice choice = rungs.back().choice;
-    while (true) {
-        const auto comma = text.find(',');
-        const std::string_view word = text.substr(0, comma);
+    StageChoice choice = is_rung ? rung->choice : rungs.back().choice;
+    std::vector<std::string_view> seen;
+    for (std::string_view rest = is_rung ? text.substr(first.size()) : text; !rest.empty();) {
+        if (rest.starts_with(',')) rest.remove_prefix(1);
+        const std::string_view word = rest.substr(0, rest.find(','));
+        rest.remove_prefix(word.size());
         const auto equals = word.find('=');
+        const std::string_view setting = word.substr(0, equals);
+        if (is_rung && !is_limit(setting))
+            throw std::invalid_argument(
+                fmt::format("expected capacity=, depth= or least_size= after '{}', found '{}'", first, word));
         if (equals == std::string_view::npos)
-            throw std::invalid_argument(fmt::format("expected eye=, shadow= or other=, found '{}'", word));
-        set(choice, word.substr(0, equals), word.substr(equals + 1));
-        if (comma == std::string_view::npos) return choice;
-        text.remove_prefix(comma + 1);
+            throw std::invalid_argument(fmt::format("expected a value: '{}='", word));
+        if (std::ranges::find(seen, setting) != seen.end())
+            throw std::invalid_argument(fmt::format("'{}=' stands there twice", setting));
+        seen.push_back(setting);
+        set(choice, setting, word.substr(equals + 1));
     }
+    const bool has_octree = choice.eye == StageKind::octree || choice.shadow == StageKind::octree ||
+                            choice.other == StageKind::octree;
+    if (!has_octree && choice.octree != OctreeLimits{})
+        throw std::invalid_argument(fmt::format("'{}' limits an octree, but no rays are found by one", text));
+    return choice;
 }
 
 std::string described(const StageChoice& choice) {

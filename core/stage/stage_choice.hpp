@@ -1,6 +1,7 @@
 #pragma once
 // Which stage finds the hits of which rays.
 
+#include "core/stage/octree_limits.hpp"
 #include "core/trace/events.hpp"
 
 #include <array>
@@ -13,6 +14,7 @@ namespace rayscope {
 /// One for each kind of ray.
 struct StageChoice {
     StageKind eye = StageKind::scan, shadow = StageKind::scan, other = StageKind::scan;
+    OctreeLimits octree = {}; ///< where one is built
 
     friend bool operator==(const StageChoice&, const StageChoice&) = default;
 };
@@ -34,7 +36,8 @@ inline constexpr std::array<Rung, 6> rungs{{
 
 [[nodiscard]] std::string_view name_of(StageKind kind);
 
-/// A rung's name, or "eye=projective,shadow=light,other=bvh" (what is not named is as on the rung bvh).
+/// A rung's name, or "eye=projective,shadow=light,other=bvh" (what is not named is as on the rung bvh). Behind either the
+/// limits of an octree: "octree,capacity=1,least_size=0.01" is the lecture notes' rule.
 /// Throws std::invalid_argument that says which word is wrong and what was expected.
 [[nodiscard]] StageChoice stage_choice(std::string_view text);
 

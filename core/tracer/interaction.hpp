@@ -48,8 +48,7 @@ template <Numbers N, Scalar T = ScalarOf<N>>
     const Vec3<T> p = solid.transform.to_object(ray).at(hit.t);
     Vec3<T> n = solid.transform.normal_to_world(
         polygon != nullptr ? polygon->shading_normal(p) : mesh->shading_normal(p, int(hit.surface.face)));
-    const Vec3<T> face = solid.normal(ray, hit.t, hit.surface.face);
-    if (dot(face, flat) < T(0)) n = -n;
+    if (dot(n, flat) < T(0)) n = -n; // whichever side its file means
     if (!(dot(n, incoming) < T(0))) return std::nullopt;
     const Vec3<T> direction = mirrored<N>(incoming, n);
     const T height = dot(direction, flat);

@@ -25,7 +25,7 @@ void Tracer<N, Stage, Recorder, Order, mask>::add_light_from(Colour& colour, Id 
                                                              const Budget& budget) {
     const Light& light = world_.lights[std::size_t(id)];
     if constexpr (added) {
-        if (light.area.samples > 1) {
+        if (light.area.is_sampled()) {
             add_area_light(colour, id, at, budget);
             return;
         }
@@ -72,9 +72,11 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::visibility(const LightPoint& lig
         recorder_.record(spawned(RayKind::shadow, ray, at.back, budget, distance, light.id));
     const std::uint64_t before = work_.counters.objects;
     // A stage's lists are made for the middle of a light.
-    const RayUse use{RayKind::shadow, none, none, light.samples > 1 ? none : light.id};
+    const bool is_point = !world_.lights[std::size_t(light.id)].area.is_sampled();
+    const RayUse use{RayKind::shadow, none, none, is_point ? light.id : none};
     const bool dark =
         stage_.blocked(use, ray, Range<T>{secondary_start<N>, distance}, at.back, work_, recorder_);
+    const int tested = int(work_.counters.objects - before);
     Colour seen{dark ? 0.0 : 1.0};
     if (!dark) {
         for (const Blocker<T>& blocker : work_.blockers) {
@@ -87,8 +89,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::visibility(const LightPoint& lig
         if constexpr (added)
             if (world_.absorbs && largest_component(seen) > 0) seen *= absorbed_to_light(ray, distance, at);
     }
-    if constexpr (Recorder::enabled)
-        recorder_.record(RayFinished{seen, seen, int(work_.counters.objects - before)});
+    if constexpr (Recorder::enabled) recorder_.record(RayFinished{seen, seen, tested});
     return seen;
 }
 

@@ -4,7 +4,7 @@
 #include "core/image/image.hpp"
 #include "core/image/map.hpp"
 #include "core/math/sequence.hpp"
-#include "core/octree/limits.hpp"
+#include "core/octree/statistics.hpp"
 #include "core/stage/stage_choice.hpp"
 #include "core/trace/trace.hpp"
 #include "core/tracer/heat.hpp"

@@ -21,11 +21,15 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::trace(const Ray<T>& ray, const R
             brought_.clear();
             kind_ = RayKind::eye;
             spectrum_.clear();
-            if (world_.absorbs) budget.medium = medium_at_start(world_, ray, work_);
+            if (world_.absorbs) {
+                work_.tests_parts = stage_.tests_parts(use);
+                budget.medium = medium_at_start(world_, ray, work_);
+            }
         }
     }
     ++work_.counters.rays[std::size_t(RayKind::eye)];
     if constexpr (Recorder::enabled) {
+        work_.tests_parts = stage_.tests_parts(use);
         budget.medium = medium_at_start(world_, ray, work_);
         recorder_.record(spawned(RayKind::eye, ray, nothing, budget));
     }

@@ -25,6 +25,17 @@ double cost_of_scan(const World<double>& world) {
     return sum;
 }
 
+std::string text_of_distorted(const World<double>& world) {
+    const auto distorted = std::ranges::count_if(world.objects, [&](const Object& object) {
+        return object.bounds.bounded() && stands_apart(world, object);
+    });
+    if (distorted == 0) return "";
+    return fmt::format("; {} {} or lie{} so far away that boxes would not hold {}: every ray tests {}",
+                       distorted, distorted == 1 ? "object is so distorted" : "objects are so distorted",
+                       distorted == 1 ? "s" : "", distorted == 1 ? "it" : "them",
+                       distorted == 1 ? "it" : "them");
+}
+
 } // namespace
 
 StageSet::StageSet(const World<double>& world, const StageChoice& choice, const std::optional<Screen>& screen)
@@ -43,7 +54,9 @@ void StageSet::build(StageKind kind, const std::optional<Screen>& screen) {
     case StageKind::scan: once(scan_); break;
     case StageKind::extents: once(extents_); break;
     case StageKind::light: once(light_); break;
-    case StageKind::octree: once(octree_); break;
+    case StageKind::octree:
+        if (!octree_) octree_ = std::make_unique<Octree<double>>(world_, choice_.octree);
+        break;
     case StageKind::bvh: once(bvh_); break;
     case StageKind::projective:
         projective_ = std::make_unique<ProjectiveExtents<double>>(
@@ -74,16 +87,27 @@ BestChoice best_choice(const World<double>& world) {
         return largest_component(material.reflection) > 0 || material.transmits() ||
                material.patterns != none;
     });
-    const bool shadows = std::ranges::any_of(world.lights, [](const Light& light) { return light.shadows; });
+    const auto any_shadows_of = [&](bool area) {
+        return std::ranges::any_of(world.lights, [&](const Light& light) {
+            return light.shadows && light.area.is_sampled() == area;
+        });
+    };
     // For rays that there are none of, nothing is built.
+    const bool points = any_shadows_of(false), areas = any_shadows_of(true);
     return {
-        {StageKind::projective, shadows ? StageKind::light : StageKind::scan,
-         mirrors ? StageKind::bvh : StageKind::scan},
+        {StageKind::projective,
+         points  ? StageKind::light
+         : areas ? StageKind::bvh
+                 : StageKind::scan,
+         mirrors || areas ? StageKind::bvh : StageKind::scan},
         objects + (parts_apart ? ", with boxes around parts of a compound" : "") +
             (cost > 2 * double(count) ? fmt::format(", as dear to test as {:.0f} balls", cost) : "") +
-            (shadows ? ": the screen and each light list what they see in every direction"
+            (points  ? ": the screen and each light list what they see in every direction"
+             : areas ? ": the screen lists what it sees in every direction"
                      : ": the screen lists what it sees in every direction; no light casts shadows") +
-            (mirrors ? "; mirrored and refracted rays walk through boxes" : "; nothing mirrors or refracts")};
+            (areas ? "; shadow rays to areas walk through boxes" : "") +
+            (mirrors ? "; mirrored and refracted rays walk through boxes" : "; nothing mirrors or refracts") +
+            text_of_distorted(world)};
 }
 
 } // namespace rayscope

@@ -56,6 +56,7 @@ private:
         case StageKind::bvh: bvh_->look(use, search); break;
         }
     }
+    // Lists are kept for points: rays to an area go the way of all others.
     [[nodiscard]] StageKind kind_for(const RayUse& use) const {
         if (use.kind == RayKind::shadow)
             return choice_.shadow == StageKind::light && use.light == none ? choice_.other : choice_.shadow;

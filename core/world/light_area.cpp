@@ -32,7 +32,7 @@ Vec3d LightArea::offset(const SquarePoint& square, const Vec3d& towards) const {
     case Shape::sphere: {
         const DiskPoint p = on_disk(square);
         const double distance = length(towards), sine = radius / distance;
-        const Vec3d forward = towards / distance, sideways = across(forward);
+        const Vec3d forward = distance > 0 ? towards / distance : Vec3d{1, 0, 0}, sideways = across(forward);
         const Vec3d aside = p.x * sideways + p.y * cross(forward, sideways);
         if (!(sine < 1)) return radius * aside;
         // Equal parts of the cone around it: the height of a cap goes with the square of its share of the disk.

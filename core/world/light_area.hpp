@@ -17,10 +17,13 @@ struct LightArea {
         v{0}; ///< from the centre of a rectangle to the middle of two edges; of a disk unit, across its normal
     int samples = 1;
 
+    /// Whether shadow rays go to points that differ from pixel to pixel.
+    [[nodiscard]] bool is_sampled() const { return shape != Shape::point; }
+
     /// Where a sample lies from the light's position. A sphere's samples lie on the part of it that the point sees, in
     /// equal parts of the view; seen from within, on a disk through its centre.
     /// @param square where in the unit square; equal areas go to equal areas
-    /// @param towards from the lit point to the light's position: world length, not 0
+    /// @param towards from the lit point to the light's position: world length
     [[nodiscard]] Vec3d offset(const SquarePoint& square, const Vec3d& towards) const;
 };
 

@@ -27,6 +27,11 @@ struct Pattern {
     }
 };
 
+/// The largest that a coefficient is anywhere, per colour.
+[[nodiscard]] inline Colour largest_of(const Colour& colour, const std::optional<Pattern>& pattern) {
+    return pattern ? maximum_of(pattern->even, pattern->odd) : colour;
+}
+
 /// Those of one material; a coefficient without one is the same everywhere.
 struct Patterns {
     std::optional<Pattern> ambient, diffuse, specular, reflection, transmission;

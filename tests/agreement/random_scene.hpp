@@ -24,6 +24,8 @@ namespace rayscope::test {
         Mat4d m = translation(random.in_cube(spread));
         if (random.coin()) m = m * random_rotation(random);
         if (random.below(3) == 0) m = m * shearing(random.uniform(-1, 1));
+        if (random.below(8) == 0) // pressed flat, at right angles to none of its own axes
+            m = m * scaling(1, 1, random.decade(-5, -1)) * random_rotation(random);
         return random.coin()
                    ? m * scaling(size)
                    : m * scaling(size * random.uniform(0.2, 1), -size, size * random.uniform(0.2, 1));

@@ -52,5 +52,13 @@ TEST(Explain, a_measurement_leaves_a_strip_for_each_effect_and_the_numbers) {
         }
 }
 
+TEST(Explain, asks_for_the_folder_before_it_measures) {
+    const Outcome outcome =
+        run_program({"explain", "two_spheres", "--cost", "--runs", "1000", "-o", "/dev/null/cost"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err,
+                HasSubstr("-o: expected a folder, or a name for a new one, found '/dev/null/cost'"));
+}
+
 } // namespace
 } // namespace rayscope::test

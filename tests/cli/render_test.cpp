@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <fstream>
+
 namespace rayscope::test {
 namespace {
 
@@ -54,6 +56,19 @@ TEST(Render, an_octree_tells_where_it_stops_to_divide_and_why) {
         const std::string reason = octree.at("limits").at(limit).at("reason");
         EXPECT_THAT(outcome.out, HasSubstr(": " + reason + "\n")) << limit;
     }
+}
+
+TEST(Render, an_octree_of_nothing_says_that_nothing_has_an_end) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "endless.toml")
+        << "[materials.grey]\n[generics.ground]\nshape = \"plane\"\nmaterial = \"grey\"\n";
+    const Outcome outcome = run_program(
+        {"render", "endless.toml", "-o", "e.pfm", "--size", "8x6", "--stage", "octree", "--stats", "s.json"},
+        {folder.path()});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\noctree  none: no object has an end\n"));
+    const json octree = json::parse(content_of(folder.path() / "s.json")).at("stage").at("octree");
+    EXPECT_EQ(octree.at("limits").at("depth").at("reason"), "no object has an end");
 }
 
 TEST(Render, statistics_have_the_documented_members) {

@@ -205,13 +205,14 @@ TEST(Samples, are_taken_in_a_penumbra_though_its_steps_are_small) {
     b.scene().camera.look_at = {0, 0, 0.2};
     b.scene().camera.up = {0, 0, 1};
     b.scene().camera.width = b.scene().camera.height = 48;
-    const auto refined = [&](int samples_of_lamp) {
-        b.scene().lights[0].area.samples = samples_of_lamp;
+    const LightArea area = lamp.area;
+    const auto refined = [&](const LightArea& of_lamp) {
+        b.scene().lights[0].area = of_lamp;
         b.scene().camera.samples = 16;
         const RenderResult result = render(b.open(), RenderOptions{});
         return std::ranges::count_if(result.samples.values, [](float taken) { return taken > 1; });
     };
-    EXPECT_GT(refined(16), refined(1) + 100);
+    EXPECT_GT(refined(area), refined(LightArea{}) + 100);
 }
 
 } // namespace

@@ -106,6 +106,25 @@ TEST(Needs, of_lights_that_are_black_are_none) {
     EXPECT_EQ(render(bench, options).statistics.counters.rays[std::size_t(RayKind::shadow)], 0U);
 }
 
+TEST(Needs, of_a_formula_that_gives_all_colours_one_index_is_no_dispersion) {
+    const auto with = [](const std::string& formula) {
+        std::string text = everything;
+        text.replace(text.find("index = 1.62\nabbe = 36"), 22, formula);
+        return text;
+    };
+    EXPECT_FALSE(need(needs_of(with("sellmeier = [1.25, 0, 0, 0, 0, 0]")), Effect::dispersion).needed);
+    EXPECT_TRUE(need(needs_of(with("sellmeier = [1.25, 0, 0, 0.01, 0, 0]")), Effect::dispersion).needed);
+    // Between two of the places at which the index is looked at.
+    try {
+        (void)needs_of(with("sellmeier = [1.25, 1e-2, 0, 0.01, 0.2509, 1]"));
+        ADD_FAILURE() << "a pole within the spectrum";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(),
+                    HasSubstr("a term of the formula is infinite at 500.899 nm: expected √C outside "
+                              "of 400 to 700 nm"));
+    }
+}
+
 TEST(Needs, a_wall_inside_a_compound_is_no_medium) {
     const auto needs = needs_of(R"(
 [materials.stone]

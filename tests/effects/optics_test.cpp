@@ -92,6 +92,21 @@ TEST(Fresnel, schlick_is_exact_straight_on_and_at_a_graze_and_near_between) {
     }
 }
 
+TEST(Fresnel, where_the_medium_stays_the_same_nothing_is_reflected) {
+    for (const Mirror mirror : {Mirror::fresnel, Mirror::schlick}) {
+        SceneBuilder b;
+        const std::size_t material = b.material(glass(1.5, mirror));
+        b.generic(Cube<double>{}, Mat4d{1}, material, "left");
+        b.generic(Cube<double>{}, translation({2, 0, 0}), material, "right");
+        const Trace trace =
+            trace_ray(b.open(), {{0.9, -0.9, 0}, {std::sin(10 * degree), std::cos(10 * degree), 0}});
+        const auto shares =
+            all_of<FresnelShared>(trace); // the ray leaves one block for the other, at a graze
+        ASSERT_FALSE(shares.empty());
+        EXPECT_EQ(shares[0]->reflected, 0);
+    }
+}
+
 TEST(Fresnel, beyond_the_critical_angle_everything_is_reflected) {
     const double index = 1.5, critical = std::asin(1 / index);
     for (const double beside : {-1e-12, 1e-12}) {

@@ -81,6 +81,32 @@ TEST(Pairs, taken_away_leave_what_was_there_before) {
     }
 }
 
+// A pattern may leave no room for more light, though its mean does.
+TEST(Added, coefficients_make_no_light) {
+    const Pattern all_or_nothing{Pattern::Kind::checker, Colour{1}, Colour{0}, 0.25, 0};
+    for (const Effect effect : {Effect::reflection, Effect::refraction}) {
+        SceneBuilder b;
+        b.scene().background = Colour{1};
+        SceneMaterial m = SceneBuilder::dark();
+        (effect == Effect::reflection ? m.transmission : m.reflection) = Colour{0.5};
+        (effect == Effect::reflection ? m.patterns.transmission : m.patterns.reflection) = all_or_nothing;
+        b.generic(Sphere<double>{}, Mat4d{1}, b.material(m), "ball");
+        EXPECT_FALSE(add_effect(effect, b.scene()));
+    }
+}
+
+TEST(TakenAway, fresnel_leaves_what_light_straight_on_is_reflected_in_the_scenes_own_medium) {
+    SceneBuilder b;
+    SceneMaterial m = SceneBuilder::dark();
+    m.mirror = Mirror::fresnel;
+    m.speed = 1 / 1.5;
+    b.generic(Sphere<double>{}, Mat4d{1}, b.material(m), "ball");
+    b.scene().medium_speed = 1 / 1.5;
+    take_away(Effect::fresnel, b.scene());
+    EXPECT_EQ(b.scene().materials[0].reflection, Colour{0});
+    EXPECT_EQ(b.scene().materials[0].transmission, Colour{1});
+}
+
 TEST(Ledger, adds_up_to_the_colour_of_the_sample) {
     for (std::size_t i = 0; i < effect_names.size(); ++i) {
         Scene scene = still_life();

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace rayscope::test {
 namespace {
 
@@ -94,7 +96,7 @@ TEST(AreaLight, that_is_a_sphere_shines_from_the_part_that_is_seen) {
     }
 }
 
-TEST(AreaLight, of_one_sample_is_the_point_light) {
+TEST(AreaLight, of_one_sample_asks_at_a_point_of_its_own_in_each_pixel) {
     SceneBuilder b;
     SceneLight& lamp = b.light({1, 2, 5});
     lamp.area.shape = LightArea::Shape::sphere;
@@ -102,9 +104,34 @@ TEST(AreaLight, of_one_sample_is_the_point_light) {
     SceneMaterial matt;
     b.generic(Sphere<double>{}, Mat4d{1}, b.material(matt), "ball");
     const Workbench area = b.open();
-    EXPECT_EQ(area.world.effects, EffectMask::classic);
+    EXPECT_EQ(area.world.effects, EffectMask::all);
+    std::set<double> aside; // of the way to the middle of the lamp
+    for (int x = 76; x < 84; ++x) {
+        const Trace trace = trace_pixel(area, x, 50, 160, 100);
+        const auto* hit = trace.rays[0].find<BoundaryChosen>();
+        const auto* lit = trace.rays[0].find<LightLit>();
+        ASSERT_TRUE(hit != nullptr && lit != nullptr);
+        aside.insert(length(lit->to_light - normalized(lamp.position - hit->point)));
+    }
+    EXPECT_EQ(aside.size(), 8U);
     b.scene().lights[0].area = {};
-    EXPECT_EQ(hash(render(area, RenderOptions{}).image), hash(render(b.open(), RenderOptions{}).image));
+    EXPECT_NE(hash(render(area, RenderOptions{}).image), hash(render(b.open(), RenderOptions{}).image));
+}
+
+TEST(AreaLight, around_a_point_of_a_surface_lights_it_by_numbers) {
+    for (const LightArea::Shape shape : {LightArea::Shape::sphere, LightArea::Shape::disk}) {
+        SceneBuilder b;
+        SceneLight& lamp = b.light({0, 0, 0});
+        lamp.area.shape = shape;
+        lamp.area.radius = 0.5;
+        lamp.area.u = {1, 0, 0};
+        lamp.area.v = {0, 1, 0};
+        lamp.area.samples = 16;
+        b.generic(Plane<double>{}, Mat4d{1}, b.material(SceneMaterial{}), "floor");
+        const Trace trace = trace_ray(b.open(), {{0, 0, 5}, {0, 0, -1}});
+        EXPECT_GE(largest_component(trace.colour), 0);
+        EXPECT_LT(largest_component(trace.colour), 10);
+    }
 }
 
 } // namespace

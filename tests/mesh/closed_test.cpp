@@ -81,24 +81,5 @@ TEST(Closed, what_is_inside_out_is_turned) {
     EXPECT_GT(dot(mesh.normal({}, 0), Vec3d(-1, 0, 0)), 0);
 }
 
-// Programs differ in which way they wind; what their normals say is the same.
-TEST(Closed, normals_that_look_outward_stay_so_whichever_way_the_faces_are_wound) {
-    MeshData data = globe_data(12);
-    for (const bool wound_the_other_way : {false, true}) {
-        if (wound_the_other_way)
-            for (auto* list : {&data.triangles, &data.triangle_normals})
-                for (MeshData::Corners& t : *list) std::swap(t[1], t[2]);
-        for (const bool normals_inward : {false, true}) {
-            MeshData given = data;
-            if (normals_inward)
-                for (Vec3<float>& n : given.normals) n = -n;
-            const TriangleMesh mesh(given);
-            const MeshData& made = mesh.data();
-            const Vec3d& corner = made.positions[made.triangles[0][0]];
-            EXPECT_GT(dot(as<double>(made.normals[made.normals_of(0)[0]]), corner), 0);
-        }
-    }
-}
-
 } // namespace
 } // namespace rayscope::test

@@ -50,6 +50,17 @@ TEST(Obj, corners_may_be_counted_from_the_last_and_have_normals) {
     EXPECT_EQ(data.normals[data.normals_of(1)[0]], Vec3<float>(0)); // flat
 }
 
+TEST(Obj, numbers_are_rounded_once_so_that_one_place_is_one_vertex) {
+    const char* text =
+        "v 0 0 0\nv 0.3 0 0\nv 0 1 0\nv 0 0 1\nv 3e-1 0 0\nv 30e-2 0 0\nvn 0.1 12345.6789 1e-3\n"
+        "f 1 3 2\nf 1 5 4\nf 1 4 3\nf 6 3 4\n";
+    const MeshData data = parse_obj(text, "m.obj");
+    for (const std::size_t i : {1U, 4U, 5U}) EXPECT_EQ(data.positions[i], (Vec3d{0.3, 0, 0}));
+    EXPECT_FALSE(find_hole(data));
+    EXPECT_EQ(obj_error("v 0 0 0\nv 1e400 0 0\n"), "m.obj:2:3: expected a number, found '1e400'");
+    EXPECT_EQ(obj_error("v 0 0 +-1\n"), "m.obj:1:7: expected a number, found '+-1'");
+}
+
 TEST(Obj, lines_may_be_continued_and_end_in_comments) {
     const MeshData data = parse_obj(
         "\xEF\xBB\xBFv 0 0 0 # first\nv 1 0 \\\r\n 0\nv 0 1 0\ng a#b\nf 1 \\\n 2 3 # all\n", "m.obj");
@@ -181,6 +192,17 @@ TEST(Ply, errors_name_line_and_expectation) {
                         "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
                         "end_header\n3 0 0 0\n0 0 0\n"),
               "m.ply:10: expected the element 'vertex' to stand before the element 'face'");
+}
+
+TEST(Ply, nothing_may_follow_that_the_header_does_not_count) {
+    EXPECT_EQ(ply_error(ply_header("ascii") + tetrahedron + " \n\n"), "no error");
+    EXPECT_EQ(ply_error(ply_header("ascii", "4", "3") + tetrahedron),
+              "m.ply:19: expected the end of the file: the header counts no more elements; found '9'");
+    EXPECT_EQ(ply_error(ply_header("binary_little_endian") + binary_body(false) + "\r\n"), "no error");
+    EXPECT_EQ(
+        ply_error(ply_header("binary_little_endian", "4", "3") + binary_body(false)),
+        "m.ply: at byte 305 (from 0): expected the end of the file: the header counts no more elements; "
+        "found 14 more bytes");
 }
 
 // Whatever a file is damaged to, it is read or refused.

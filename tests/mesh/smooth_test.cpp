@@ -20,9 +20,9 @@ SceneMaterial shiny() {
     return m;
 }
 
-TEST(Smooth, normals_of_a_globe_are_nearly_a_spheres) {
+double smooth_error(const MeshData& data) {
     SceneBuilder b;
-    b.generic(mesh_of(globe_data(60)), Mat4d{1}, b.material(shiny()));
+    b.generic(mesh_of(data), Mat4d{1}, b.material(shiny()));
     const Workbench bench = make_workbench(b.scene());
     Random random(12);
     double smooth = 0, flat = 0;
@@ -30,15 +30,54 @@ TEST(Smooth, normals_of_a_globe_are_nearly_a_spheres) {
         const Ray<double> ray{random.direction() * 4.0, {0, 0, 0}};
         const Trace trace = trace_ray(bench, {ray.origin, random.in_cube(0.5) - ray.origin});
         const auto* hit = trace.rays[0].find<BoundaryChosen>();
-        ASSERT_NE(hit, nullptr);
-        smooth = maximum(smooth, length(hit->normal - normalized(hit->point)));
+        if (hit == nullptr) return infinity<double>;
+        const bool is_front = dot(hit->normal, trace.rays[0].start().direction) < 0;
+        smooth = maximum(smooth, length((is_front ? hit->normal : -hit->normal) - normalized(hit->point)));
         const auto* triangle = trace.rays[0].find<TriangleHit>();
         const auto& mesh = std::get<Mesh<double>>(bench.world.solids[0].shape);
-        flat =
-            maximum(flat, length(normalized(mesh.normal({}, triangle->triangle)) - normalized(hit->point)));
+        const Vec3d face = normalized(mesh.normal({}, triangle->triangle)), out = normalized(hit->point);
+        flat = maximum(flat, length((dot(face, out) < 0 ? -face : face) - out));
     }
-    EXPECT_LT(smooth, 0.01);
     EXPECT_GT(flat, 0.04); // the test would see it
+    return smooth;
+}
+
+TEST(Smooth, normals_of_a_globe_are_nearly_a_spheres) { EXPECT_LT(smooth_error(globe_data(60)), 0.01); }
+
+// Programs differ in which way they wind, and in which side normals look to; some wind one mesh both ways.
+TEST(Smooth, normals_are_turned_to_the_side_that_is_seen_however_faces_are_wound) {
+    for (const std::size_t wound_backwards : {0U, 1U, 3U}) // none; all; every third
+        for (const bool inward : {false, true}) {
+            MeshData data = globe_data(60);
+            if (inward)
+                for (Vec3<float>& n : data.normals) n = -n;
+            for (auto* list : {&data.triangles, &data.triangle_normals})
+                for (std::size_t i = 0; i < list->size(); ++i)
+                    if (wound_backwards != 0 && i % wound_backwards == 0)
+                        std::swap((*list)[i][1], (*list)[i][2]);
+            EXPECT_LT(smooth_error(data), 0.01) << wound_backwards << inward;
+        }
+}
+
+// From a hundredth of the least to the largest size that files may have: the square of an area would be no number.
+TEST(Smooth, normals_do_not_depend_on_the_size_of_a_mesh) {
+    for (const int power : {-1000, -600, -300, 300}) {
+        MeshData data = globe_data(12);
+        const Mesh<double> unit = mesh_of(data);
+        const double size = std::ldexp(1.0, power);
+        for (Vec3d& p : data.positions) p *= size;
+        const Mesh<double> scaled = mesh_of(data);
+        for (int triangle = 0; triangle < int(scaled.triangles().size()); ++triangle) {
+            const auto& corner = unit.triangles().data().triangles[std::size_t(triangle)];
+            Vec3d middle{0};
+            for (const auto i : corner) middle += unit.triangles().data().positions[i] / 3.0;
+            const auto close = [&](const Vec3d& a, const Vec3d& b) {
+                EXPECT_NEAR(length(normalized(a) - normalized(b)), 0, 1e-12) << power << ' ' << triangle;
+            };
+            close(scaled.normal(middle * size, triangle), unit.normal(middle, triangle));
+            close(scaled.shading_normal(middle * size, triangle), unit.shading_normal(middle, triangle));
+        }
+    }
 }
 
 // A mirrored ray that starts on the outside stays there, and light behind the triangle does not arrive.

@@ -2,9 +2,12 @@
 
 #include "core/math/transform.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <regex>
 
 namespace rayscope::nff {
 namespace {
@@ -83,6 +86,63 @@ TEST(SceneNff, PolygonsWithNormals) {
     const auto& polygon = std::get<Polygon<double>>(scene.generics[0].shape);
     ASSERT_EQ(polygon.normals().size(), 3U);
     EXPECT_EQ(polygon.normals()[1], Vec3d(0, 1, 1));
+}
+
+// An arrow head: from its third corner all others are seen, from its first one they are not.
+TEST(SceneNff, SmoothPolygonsThatAreNoFanAreCut) {
+    const std::vector<Vec3d> corners{{2, -2, 0}, {0, 2, 0}, {-2, -2, 0}, {0, -1, 0}};
+    const auto drawn = [&](std::size_t first) {
+        std::string text = view + material + "pp 4\n";
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Vec3d& p = corners[(first + i) % 4]; // its normal tells which corner it is
+            text += fmt::format("{0} {1} 0  {0} {1} 5\n", p.x, p.y);
+        }
+        return parse(text).generics;
+    };
+    EXPECT_EQ(drawn(1).size(), 1U);
+    EXPECT_EQ(drawn(3).size(), 1U);
+    for (const std::size_t first : {0U, 2U}) {
+        const auto triangles = drawn(first);
+        ASSERT_EQ(triangles.size(), 2U);
+        double area = 0;
+        for (const SceneGeneric& triangle : triangles) {
+            const auto& shape = std::get<Polygon<double>>(triangle.shape);
+            ASSERT_EQ(shape.normals().size(), 3U);
+            for (std::size_t i = 0; i < 3; ++i)
+                EXPECT_EQ(shape.normals()[i], shape.vertices()[i] + Vec3d(0, 0, 5));
+            area += area_vector(shape.vertices()).z / 2;
+        }
+        EXPECT_EQ(area, 6);
+    }
+}
+
+// Two walls that meet in an edge, the second bent by less than a thousandth of its size: as one polygon it would lie below
+// the first one there, in its shadow.
+TEST(SceneNff, PolygonsAreFlatAsFarAsSixDigitsCanSay) {
+    const auto drawn = [](const std::string& fourth) {
+        return parse(view + material + "p 4\n0 -1 0\n1 -1 " + fourth + "\n1 1 0\n0 1 0\n").generics.size();
+    };
+    EXPECT_EQ(drawn("0"), 1U);
+    EXPECT_EQ(drawn("0.000004"), 1U);
+    EXPECT_EQ(drawn("0.0004"), 2U);
+    std::string round;
+    for (int i = 0; i < 1100; ++i)
+        round +=
+            fmt::format("{} {} {}\n", std::cos(i * 0.005), std::sin(i * 0.005), 0.1 * std::sin(i * 0.015));
+    const Scene scene = parse(view + material + "p 1100\n" + round);
+    ASSERT_FALSE(scene.warnings.empty());
+    EXPECT_NE(scene.warnings[0].find(", and of more than 1024 it is not cut; it is left out"),
+              std::string::npos)
+        << scene.warnings[0];
+}
+
+TEST(SceneNff, LinesEndInEveryWayAndAMarkMayComeFirst) {
+    std::string text = "\xef\xbb\xbf# by an editor\n" + view + material + "s 0 0 0 1\nx\n";
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        EXPECT_EQ(error_of(text), "s.nff:11:1: expected a command (b, v, l, f, c, s, p or pp), found 'x'")
+            << end;
+        text = std::regex_replace(text, std::regex("\r?\n"), end == "\n" ? "\r\n" : "\r");
+    }
 }
 
 TEST(SceneNff, ConesRunFromBaseToApex) {

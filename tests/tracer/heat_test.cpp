@@ -30,6 +30,46 @@ TEST(Heat, is_what_the_counters_say) {
     }
 }
 
+TEST(Extents, of_what_has_no_end_are_not_counted) {
+    SceneBuilder b;
+    b.generic(Sphere<double>{}, Mat4d{1}, b.clear(0, 0, 1), "ball");
+    b.generic(Plane<double>{}, translation({0, 0, -3}), b.clear(0, 0, 1), "floor");
+    RenderOptions options;
+    options.width = options.height = 16;
+    options.stage = stage_choice("extents");
+    EXPECT_EQ(render(b.open(), options).statistics.counters.boxes, 256U);
+}
+
+// Who holds the eye is looked up before any stage was asked.
+TEST(Counters, do_not_depend_on_the_number_of_threads) {
+    SceneBuilder b;
+    SceneMaterial glass;
+    glass.transmission = Colour{0.7};
+    glass.speed = 1 / 1.3;
+    glass.absorption = Colour{0.1};
+    const std::size_t material = b.material(glass);
+    std::string inside;
+    for (int i = 0; i < 12; ++i) {
+        const std::string name = "ring" + std::to_string(i);
+        b.operand(name, Torus<double>{}, translation(Vec3d{4.0 * (i - 6), 0, 0}));
+        inside += (i > 0 ? "|" : "") + name;
+    }
+    b.compound("water", "!(" + inside + ")", material);
+    b.generic(Sphere<double>{}, scaling(0.1), material, "ball");
+    b.scene().camera.width = b.scene().camera.height = 48;
+    const Workbench bench = b.open();
+    RenderOptions options;
+    options.stage = stage_choice("octree");
+    options.heat = Heat::tests;
+    options.threads = 1;
+    const RenderResult one = render(bench, options);
+    EXPECT_EQ(one.heat.values[0], one.heat.values[1]);
+    options.threads = 4;
+    const RenderResult four = render(bench, options);
+    EXPECT_EQ(four.heat.values, one.heat.values);
+    EXPECT_EQ(four.statistics.counters.boxes, one.statistics.counters.boxes);
+}
+
 TEST(Heat, depth_is_that_of_the_deepest_ray_in_the_trace) {
     const Workbench bench = make_workbench(crowd());
     RenderOptions options;

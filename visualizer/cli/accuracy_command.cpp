@@ -4,6 +4,7 @@
 #include "visualizer/cli/commands.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/interrupts.hpp"
+#include "visualizer/cli/output_check.hpp"
 #include "visualizer/cli/page.hpp"
 #include "visualizer/cli/picture_process.hpp"
 #include "visualizer/cli/progress.hpp"
@@ -38,7 +39,7 @@ public:
         } catch (const std::invalid_argument& error) {
             throw UsageError(std::string("--configs: ") + error.what());
         }
-        if (options.output) prepare_folder(*options.output);
+        if (options.output) prepare_folder(*options.output, "accuracy.json");
         print_warnings(scene_);
     }
 

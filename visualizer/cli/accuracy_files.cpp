@@ -1,7 +1,5 @@
 #include "visualizer/cli/accuracy_files.hpp"
 
-#include "visualizer/cli/failure.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -24,19 +22,6 @@ fs::path cache_folder() {
     if (const fs::path home = from_environment("HOME"); home.is_absolute())
         return home / ".cache" / "rayscope";
     return {};
-}
-
-void prepare_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (!fs::is_directory(folder))
-        throw UsageError("-o: expected a folder, or a name for a new one, found '" + folder.string() +
-                         "': " + (error ? error.message() : "not a folder"));
-    try {
-        check_writable(folder / "accuracy.json");
-    } catch (const std::exception& problem) {
-        throw UsageError(std::string("-o: ") + problem.what());
-    }
 }
 
 std::string write_error_map(const fs::path& folder, const Configuration& configuration, const Map& map) {

@@ -8,9 +8,6 @@ namespace rayscope::cli {
 /// $XDG_CACHE_HOME/rayscope, else ~/.cache/rayscope; empty where neither is known.
 [[nodiscard]] std::filesystem::path cache_folder();
 
-/// Makes the folder if need be. Throws UsageError that names it if it can't be, or can't be written.
-void prepare_folder(const std::filesystem::path& folder);
-
 /// Writes the error map of a configuration and returns its name: error-….pfm, one channel, CIEDE2000 per pixel.
 [[nodiscard]] std::string write_error_map(const std::filesystem::path& folder,
                                           const Configuration& configuration, const Map& map);

@@ -6,6 +6,7 @@
 #include "visualizer/cli/commands.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/interrupts.hpp"
+#include "visualizer/cli/output_check.hpp"
 #include "visualizer/cli/page.hpp"
 #include "visualizer/cli/progress.hpp"
 
@@ -37,7 +38,7 @@ int cases(const CasesOptions& options) {
     if (case_files(folder).empty())
         throw UsageError("--cases: expected a folder with case files (*.jsonl), found none in '" +
                          folder.string() + "'");
-    if (options.output) prepare_folder(*options.output);
+    if (options.output) prepare_folder(*options.output, "cases.json");
     catch_interrupts();
     std::vector<FamilyScores> families = scores(folder);
     if (stop_asked_for) {

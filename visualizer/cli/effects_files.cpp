@@ -37,7 +37,6 @@ void tell(const fs::path& path) { std::puts(harmless(path.string()).c_str()); }
 } // namespace
 
 void write_effects(const std::string& scene, const EffectCosts& costs, const fs::path& folder) {
-    fs::create_directories(folder);
     for (const EffectCost& cost : costs.effects) {
         const fs::path path = folder / (std::string(effect_name(cost)) + ".png");
         write_image(strip(costs, cost), path);

@@ -5,6 +5,7 @@
 #include "visualizer/cli/explain_text.hpp"
 #include "visualizer/cli/failure.hpp"
 #include "visualizer/cli/interrupts.hpp"
+#include "visualizer/cli/output_check.hpp"
 #include "visualizer/cli/progress.hpp"
 #include "visualizer/cli/scene_choice.hpp"
 #include "visualizer/cli/warnings.hpp"
@@ -62,6 +63,7 @@ std::vector<std::pair<Effect, Colour>> light_off(const Workbench& bench, const s
 int explain(const ExplainOptions& options) {
     const std::filesystem::path path = find_scene(options.scene);
     const Workbench bench = make_workbench(load_with_effects(path, options.effects));
+    if (options.output) prepare_folder(*options.output, "effects.json");
     print_warnings(bench.scene);
     const Paint paint(wants_colours(STDOUT_FILENO));
     Page page(paint);

@@ -11,15 +11,17 @@ void add_text(CLI::App& command, const char* name, Texts::Text& text, const char
         ->take_last(); // a second one is refused below, in words of this program
 }
 
-constexpr const char* effects_help = "for experiments: auto, changes to what the scene calls for such as "
-                                     "+fresnel,-shadows, or a complete list";
+constexpr const char* effects_help = "for experiments: auto, all, changes to what the scene calls for such "
+                                     "as +fresnel,-shadows, or a complete list";
 
 void add_ray_options(CLI::App& command, Texts& texts) {
     add_text(command, "SCENE", texts.scene, "", std::string(scene_help) + "; without it the glass bowl");
     add_text(command, "--pixel", texts.pixel, "X,Y",
              "the pixel to trace; without it the scene's own, or its middle");
     add_text(command, "--ray", texts.ray, "ox,oy,oz,dx,dy,dz", "a ray instead: origin and direction");
-    add_text(command, "--sample", texts.sample, "N", "which sample of the pixel; 0, its middle, without it");
+    add_text(command, "--sample", texts.sample, "N",
+             "which sample of the pixel; 0, its middle, without it; --heat samples of `render` tells how "
+             "many it has");
     add_text(command, "--effects", texts.effects, "LIST", effects_help);
     add_text(command, "--stage", texts.stage, "NAME",
              "also tell where a stage looks for the hits: best, scan, extents, projective, light, octree, "
@@ -114,18 +116,23 @@ CLI::App_p make_render(Texts& texts) {
              "how many work at it, instead of one for each processor");
     add_text(command, "--config", texts.configurations, "LIST",
              "other numbers or limits than the scene's, such as float,textbook,depth=3");
-    add_text(command, "--stage", texts.stage, "NAME",
-             "how hits are found: best, scan, extents, projective, light, octree, bvh, or one for each kind "
-             "of ray, "
-             "such as eye=projective,shadow=light,other=octree; the image stays the same, bit for bit");
+    add_text(
+        command, "--stage", texts.stage, "NAME",
+        "how hits are found: best, scan, extents, projective, light, octree, bvh, or one for each kind "
+        "of ray, "
+        "such as eye=projective,shadow=light,other=octree; octree,capacity=1,least_size=0.05 limits one; "
+        "the image stays the same, bit for bit");
     add_text(
         command, "--heat", texts.heat, "KIND",
         "instead of the image what each pixel costs: tests, cells, depth, time, rays, samples or "
         "dropped; or how much of its light is direct, reflected or refracted; a .png with a scale, or the "
         "numbers as .pfm");
     add_text(command, "--effects", texts.effects, "LIST", effects_help);
-    add_text(command, "--samples", texts.samples, "N",
-             "at most so many in a pixel, 1 to 4096; more than one only where neighbouring pixels differ");
+    add_text(
+        command, "--samples", texts.samples, "N",
+        "at most so many in a pixel, 1 to 4096, best a multiple of 4; more than one only where neighbouring "
+        "pixels differ");
+    command.add_flag("--even-samples", texts.even_samples, "as many in every pixel, to compare with");
     add_text(command, "--stats", texts.statistics, "FILE", "write times and counts to a JSON file");
     command.footer("Example:\n  rayscope render lens -o lens.png --size 1280x960\n"
                    "  rayscope render lens --stage octree --heat tests -o tests.png\n");

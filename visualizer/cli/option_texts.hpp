@@ -15,8 +15,8 @@ struct Texts {
     Text scene, pixel, ray, digits, png, size, output, threads, statistics, why, compare, stage, heat;
     Text effects, samples, sample, script, where, listed, other;
     Text configurations, target_error, runs, reference_rays;
-    bool no_png = false, all_steps = false, cases = false, cost = false, energy = false, json = false,
-         quiz = false;
+    bool no_png = false, all_steps = false, cases = false, cost = false, energy = false, even_samples = false,
+         json = false, quiz = false;
 };
 
 /// Each on its own while it parses: below a common parent, a scene called like a command would be taken for one.

@@ -168,6 +168,7 @@ RenderCommandOptions render_options(const Texts& texts) {
     options.stage = asked_stage(texts);
     if (texts.heat) options.heat = parse_heat(*texts.heat);
     options.effects = texts.effects;
+    options.even_samples = texts.even_samples;
     if (texts.samples) options.samples = parse_count("--samples", *texts.samples, 1, most_samples);
     if (texts.size) options.size = parse_size(*texts.size);
     if (texts.threads) options.threads = parse_count("--threads", *texts.threads, 1, 1024);

@@ -72,6 +72,7 @@ struct RenderCommandOptions {
     std::optional<Heat> heat;           ///< the picture tells what each pixel costs, or who brings its light
     std::optional<std::string> effects; ///< as rayscope::parse_effects reads them
     int samples = 0;                    ///< at most so many in a pixel; 0: the scene's
+    bool even_samples = false;          ///< as many in each
     int threads = 0;
 };
 

@@ -69,6 +69,7 @@ int render(const RenderCommandOptions& options) {
     tracing.stage = options.stage;
     tracing.heat = options.heat;
     tracing.samples = options.samples;
+    tracing.even_samples = options.even_samples;
     tracing.stop = &stop_asked_for;
     catch_interrupts();
     RenderResult result;

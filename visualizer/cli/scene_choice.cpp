@@ -36,11 +36,12 @@ fs::path seen_from_here(const fs::path& path) {
     return error || relative.empty() || *relative.begin() == ".." ? path : relative;
 }
 
-/// A folder may have the name of a shipped scene.
+/// A folder may have the name of a shipped scene. Of what can't be looked at, the reader says why.
 bool means_file(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    return fs::is_regular_file(status) || fs::is_fifo(status) || (fs::exists(status) && path.has_extension());
+    return fs::is_regular_file(status) || fs::is_fifo(status) || status.type() == fs::file_type::none ||
+           (fs::exists(status) && path.has_extension());
 }
 
 } // namespace

@@ -21,9 +21,10 @@ namespace {
 
 std::string title(const Trace& trace, const StepStyle& style, bool comparing) {
     const TraceSource& source = trace.source;
-    const std::string ray =
+    std::string ray =
         source.by_hand ? "a ray given by hand"
                        : "pixel (" + std::to_string(source.x) + "," + glue + std::to_string(source.y) + ")";
+    if (source.sample > 0) ray += ", sample " + std::to_string(source.sample);
     Page page(style.paint);
     page.line(style.paint.bold(harmless(source.scene)) + ", " + ray);
     if (comparing) return page.text();

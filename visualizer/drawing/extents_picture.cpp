@@ -13,32 +13,47 @@ constexpr double font = 14;
 constexpr int margin = 16, head = 44, foot = 80;
 constexpr std::size_t most_names = 24; // more would hide the image
 
-Bitmap bitmap_of(const Image& image, const Area& area) {
+constexpr Rgb tile_blue{0x20, 0x50, 0x90};
+
+// Faded, so that lines stand out; a tile with a list is the bluer the more objects that has.
+Bitmap bitmap_of(const Image& image, const ScreenExtents& extents, const Area& area) {
     Bitmap bitmap{area, image.width, image.height, {}};
     bitmap.pixels.reserve(image.rgb.size() / 3);
-    constexpr double faded = 0.35; // so that lines stand out
-    for (std::size_t i = 0; i < image.rgb.size(); i += 3)
-        bitmap.pixels.push_back(
-            mixed(on_screen({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]}), paper, faded));
+    constexpr double faded = 0.35;
+    const float longest = *std::ranges::max_element(extents.entries.values);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Rgb pixel = mixed(on_screen(image.at(x, y)), paper, faded);
+            const float entries = extents.entries.at(x / extents.tile, y / extents.tile);
+            const double blue = entries == 0 ? 0 : 0.10 + 0.35 * double(entries) / double(longest);
+            bitmap.pixels.push_back(mixed(pixel, tile_blue, blue));
+        }
     return bitmap;
+}
+
+// Screen pixels for each of the image's: up to where a small image is easy to see, and down to what a screen can hold.
+double enlargement(const Image& image) {
+    constexpr int wide = 640, high = 1024, most = 4096;
+    const int longer = std::max(image.width, image.height);
+    if (longer > most) return double(most) / longer;
+    return std::max(1, std::min(wide / image.width, high / image.height));
 }
 
 class Drawer {
 public:
     Drawer(Canvas& canvas, const Area& area, double scale) : canvas_(canvas), area_(area), scale_(scale) {}
 
-    // Tiles with a list, each as an outline of its own; the more objects a list has the darker.
+    // Outlines of the tiles with a list, where they can be told apart.
     void tiles(const ScreenExtents& extents) {
-        const float longest = *std::ranges::max_element(extents.entries.values);
+        constexpr double least_edge = 6;
+        constexpr std::size_t most_tiles = 100000;
+        if (extents.tile * scale_ < least_edge || extents.entries.values.size() > most_tiles) return;
         for (int y = 0; y < extents.entries.height; ++y)
-            for (int x = 0; x < extents.entries.width; ++x) {
-                const float entries = extents.entries.at(x, y);
-                if (entries == 0) continue;
-                const Area tile =
-                    at(x * extents.tile, y * extents.tile, (x + 1) * extents.tile, (y + 1) * extents.tile);
-                canvas_.add(FilledArea{tile, tile_blue, 0.10 + 0.35 * double(entries) / double(longest)});
-                if (tile.width >= 6) outline(tile, paper, 0.5);
-            }
+            for (int x = 0; x < extents.entries.width; ++x)
+                if (extents.entries.at(x, y) > 0)
+                    outline(at(x * extents.tile, y * extents.tile, (x + 1) * extents.tile,
+                               (y + 1) * extents.tile),
+                            paper, 0.5);
     }
     void rectangles(const ScreenExtents& extents) {
         for (std::size_t i = extents.rectangles.size(); i-- > 0;) {
@@ -67,8 +82,6 @@ public:
     }
 
 private:
-    static constexpr Rgb tile_blue{0x20, 0x50, 0x90};
-
     [[nodiscard]] Area at(double left, double top, double right, double bottom) const {
         const double x = area_.x + left * scale_, y = area_.y + top * scale_;
         return {x, y, std::min(right * scale_, area_.width) - left * scale_,
@@ -87,7 +100,7 @@ private:
 };
 
 std::string apart_text(const ScreenExtents& extents) {
-    if (extents.apart.empty()) return "Every object has a rectangle";
+    if (extents.apart.empty()) return "Every object that is seen has a rectangle";
     std::string text = "Without a rectangle, in no list: ";
     for (std::size_t i = 0; i < extents.apart.size(); ++i) text += (i == 0 ? "" : ", ") + extents.apart[i];
     return text;
@@ -114,7 +127,7 @@ std::array<std::string, 3> summary(const ScreenExtents& extents) {
 } // namespace
 
 Raster draw_extents(const ScreenExtents& extents, const Image& image, const std::string& title) {
-    const double scale = std::max(1, 640 / image.width);
+    const double scale = enlargement(image);
     const Area area{margin, head, image.width * scale, image.height * scale};
     const PictureSize size{std::max(720, int(area.width) + 2 * margin), int(area.height) + head + foot};
     FlatPicture picture(size);
@@ -125,7 +138,7 @@ Raster draw_extents(const ScreenExtents& extents, const Image& image, const std:
                     font * 1.2,
                     ink,
                     Font::bold});
-    canvas.add(bitmap_of(image, area));
+    canvas.add(bitmap_of(image, extents, area));
     Drawer drawer(canvas, area, scale);
     drawer.tiles(extents);
     drawer.rectangles(extents);

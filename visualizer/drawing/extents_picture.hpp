@@ -5,7 +5,7 @@
 
 namespace rayscope::drawing {
 
-/// The rectangle of each object and the tiles that list any. At least 640 pixels wide: small images are enlarged.
+/// The rectangle of each object and the tiles that list any. Small images are enlarged, those of more than 4096 pixels made smaller.
 [[nodiscard]] Raster draw_extents(const ScreenExtents& extents, const Image& image, const std::string& title);
 
 } // namespace rayscope::drawing

@@ -85,7 +85,10 @@ double end_of_scale(const Map& map) {
     const auto largest = double(values.back()), usual = double(values[(values.size() - 1) * 995 / 1000]);
     constexpr double outlier = 2.5;
     const double end = largest > outlier * usual && usual > 0 ? usual : largest;
-    return end > 0 ? end : 1;
+    if (!(end > 0)) return 1;
+    // Numbers of things end at a multiple of four, so that a quarter of the scale is one, too.
+    const bool are_whole = std::ranges::all_of(values, [](float v) { return v == std::trunc(v); });
+    return are_whole ? 4 * std::ceil(end / 4) : end;
 }
 
 } // namespace rayscope::drawing

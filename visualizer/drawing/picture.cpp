@@ -29,8 +29,9 @@ std::string title_of(const Trace& trace, bool chosen, int current) {
         title = trace.rays.size() == 1 ? "One ray" : "All " + count + " rays";
     if (trace.source.by_hand)
         return title + (trace.rays.size() == 1 ? ", given by hand" : ", the first given by hand");
-    return title + (chosen ? "; pixel (" : " of pixel (") + std::to_string(trace.source.x) + ", " +
-           std::to_string(trace.source.y) + ")";
+    title += (chosen ? "; pixel (" : " of pixel (") + std::to_string(trace.source.x) + ", " +
+             std::to_string(trace.source.y) + ")";
+    return trace.source.sample > 0 ? title + ", sample " + std::to_string(trace.source.sample) : title;
 }
 
 void draw_title(Canvas& canvas, const Layout& layout, const std::string& title, const Trace& trace,

@@ -125,6 +125,7 @@ Svg error_against_time(const Subject& subject) {
     svg.path(front, {black, 2.5});
     std::vector<drawing::NamedMark> groups;
     std::vector<Type> types;
+    bool some_are_mixed = false;
     for (std::size_t i = 0; i < all.size();) { // marks over each other share a name
         std::string name = all[i].name;
         Type type{letter_size, scalar_colour(all[i].scalar), all[i].on_front};
@@ -134,7 +135,10 @@ Svg error_against_time(const Subject& subject) {
              ++next) {
             name += ", " + all[next].name;
             type.bold = type.bold && all[next].on_front;
-            if (all[next].scalar != all[i].scalar) type.colour = black;
+            if (all[next].scalar != all[i].scalar) {
+                type.colour = black;
+                some_are_mixed = true;
+            }
         }
         groups.push_back({marks[i], name, type.bold ? drawing::Font::bold : drawing::Font::sans, type.size});
         types.push_back(type);
@@ -155,7 +159,8 @@ Svg error_against_time(const Subject& subject) {
     svg.text({446, 34}, "stable", {letter_size, black, false, Anchor::start});
     draw_mark(svg, {540, 34}, "double", true);
     svg.text({556, 34}, "textbook", {letter_size, black, false, Anchor::start});
-    svg.text({424, 58}, "orange: double, black: several", {letter_size, black, false, Anchor::start});
+    svg.text({424, 58}, some_are_mixed ? "orange: double, black: several" : "orange: double",
+             {letter_size, black, false, Anchor::start});
     svg.line({680, 34}, {720, 34}, {black, 2.5});
     svg.text({730, 34}, "front: no other is", {letter_size, black, true, Anchor::start});
     svg.text({730, 58}, "quicker and better", {letter_size, black, true, Anchor::start});

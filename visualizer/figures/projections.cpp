@@ -60,7 +60,10 @@ Svg near_plane_trap(const Subject& /*subject*/) {
     svg.line(at(-3.8, -1), at(4.9, -1), {black, 3});
     for (int slope = -3; slope <= 4; ++slope) {
         svg.line(at(slope, -1, 0, -6), at(slope, -1, 0, 6), {black, 2});
-        if (slope != 0 && slope != 1 && slope != 2) svg.text(at(slope, -1, 0, 22), digits(slope), {18, grey});
+        const bool beside_box = slope == 1 || slope == 2; // whose sides pass there
+        if (slope != 0)
+            svg.text(at(slope, -1, beside_box ? (slope == 1 ? -12 : 12) : 0, 22), digits(slope),
+                     {18, beside_box ? black : grey});
     }
     svg.text(at(-3.8, -1, 0, -20), "screen, z = −1", {20, black, true, Anchor::start});
     for (const double x : {the_box.low.x, the_box.high.x}) {

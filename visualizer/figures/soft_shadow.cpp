@@ -100,7 +100,7 @@ Svg soft_shadow(const Subject& subject) {
              {20, black, false, Anchor::start});
     svg.line({key, 250}, {key + 60, 250}, {grey, 2, "9 9"});
     svg.circle({key + 66, 250}, 4, {black, 1.8});
-    svg.text({key + 86, 250}, std::to_string(blocked.size()) + " are stopped by the ball",
+    svg.text({key + 86, 250}, std::to_string(blocked.size()) + " are stopped by orange2",
              {20, black, false, Anchor::start});
     draw_floor(svg, bench, sheet, -0.9, 7);
     return svg;

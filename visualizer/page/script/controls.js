@@ -2,7 +2,7 @@
 (() => {
   const slider = element('slider'), play = element('play');
   const source = trace.source, name = source.scene.split('/').pop();
-  element('title').textContent = source.by_hand ? `${name}, a ray given by hand` : `${name}, pixel (${source.x}, ${source.y})`;
+  element('title').textContent = source.by_hand ? `${name}, a ray given by hand` : `${name}, pixel (${source.x}, ${source.y})${source.sample > 0 ? `, sample ${source.sample}` : ''}`;
   element('title').title = source.scene;
   document.title = element('title').textContent + ' · rayscope';
   slider.max = inTime.length - 1;
