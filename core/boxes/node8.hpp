@@ -60,7 +60,8 @@ public:
             far_[axis] = float(down_[axis] ? origin + margin : origin - margin);
         }
     }
-    /// What to add to a SlabRay's distortion for its margin to be at least this one.
+    /// What to add to a SlabRay's distortion for its margin to be at least this one. What `enter` rounds in a box's favour
+    /// is not in it.
     static constexpr double own_distortion = double(epsilon<float>) / epsilon<double> / 16;
     /// t in the tree's units, never rounded down.
     [[nodiscard]] float reach(double t) const { return float(t * scale_) * (1 + 2 * epsilon<float>); }

@@ -19,7 +19,8 @@ template <Scalar T> struct BoxSpan {
 
 /// A hit that a kernel finds may lie beside its solid by rounding. Boxes are therefore met with a margin,
 ///     64 ε · distortion · (largest coordinate of the origin + largest coordinate of all boxes),
-/// a hundredth of what a graze would show, so that who passes by a box by more is found by no kernel within it.
+/// for most matrices a hundredth of what a graze would show, so that who passes by a box by more is found by no kernel
+/// within it.
 template <Scalar T> class SlabRay {
 public:
     /// @param size the largest coordinate of any box that will be asked for

@@ -109,7 +109,7 @@ template <Numbers N> PlaceEntered Bvh<N>::entered(std::uint32_t child, const Ray
                 : int(std::ranges::count_if(nodes_[number].low[0], [](float x) { return is_finite(x); }));
     const BoxSpan<T> inside = SlabRay<T>(ray, T(2 / scale_), T(distortion_ + Ray8::own_distortion)).span(box);
     return place_entered(is_leaf ? PlaceKind::cell : PlaceKind::node, Id(number), level, held, box,
-                         inside.enter, inside.exit);
+                         inside.enter, maximum(inside.enter, inside.exit));
 }
 
 } // namespace rayscope

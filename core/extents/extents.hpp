@@ -15,7 +15,10 @@ public:
     using T = ScalarOf<N>;
 
     explicit Extents(const World<N>& world) : StageBase<N, Extents<N>>(world) {
-        for (const Object& object : world.objects) apart_.push_back(stands_apart(world, object));
+        for (const Object& object : world.objects) {
+            apart_.push_back(stands_apart(world, object));
+            distortion_.push_back(maximum(T(3), distortion_of(world, object)));
+        }
     }
 
     template <typename Search> [[gnu::noinline]] void look(const RayUse& /*use*/, Search& search) const {
@@ -23,7 +26,7 @@ public:
         for (std::uint32_t id = 0; id < this->world_.objects.size(); ++id) {
             if (!apart_[id]) {
                 ++counters.boxes;
-                if (!may_hit(this->world_.objects[id], search.ray(), search.reach())) {
+                if (!may_hit(id, search.ray(), search.reach())) {
                     ++counters.boxes_missed;
                     continue;
                 }
@@ -36,15 +39,20 @@ public:
 private:
     [[nodiscard]] PlaceEntered extent_entered(std::uint32_t id, const Ray<T>& ray) const {
         const Box<T> box = as<T>(this->world_.objects[id].bounds);
-        const BoxSpan<T> inside = SlabRay<T>(ray, largest_coordinate(box), T(1)).span(box);
+        const BoxSpan<T> inside = slab_ray(id, box, ray).span(box);
         PlaceEntered entered = place_entered(PlaceKind::extent, Id(id), 0, 1, box, inside.enter, inside.exit);
         entered.object = Id(id);
         return entered;
     }
-    [[nodiscard]] bool may_hit(const Object& object, const Ray<T>& ray, T reach) const {
+    /// For the object's box in world space.
+    [[nodiscard]] SlabRay<T> slab_ray(std::uint32_t id, const Box<T>& box, const Ray<T>& ray) const {
+        return {ray, largest_coordinate(box), distortion_[id]};
+    }
+    [[nodiscard]] bool may_hit(std::uint32_t id, const Ray<T>& ray, T reach) const {
+        const Object& object = this->world_.objects[id];
         if (object.is_compound) { // the box that its parts make together, in world space
             const Box<T> box = as<T>(object.bounds);
-            return may_hit(SlabRay<T>(ray, largest_coordinate(box), T(most_distorted_object)), box, reach);
+            return may_hit(slab_ray(id, box, ray), box, reach);
         }
         const Solid<N>& solid = this->world_.solids[object.index];
         const Box<T> box = std::visit([](const auto& s) { return s.bounds(); }, solid.shape);
@@ -59,7 +67,9 @@ private:
         return !ray.reliable() || ray.may_hit(box, reach);
     }
 
-    std::vector<bool> apart_; // by object
+    // By object.
+    std::vector<bool> apart_;
+    std::vector<T> distortion_;
 };
 
 } // namespace rayscope

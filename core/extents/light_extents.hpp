@@ -59,13 +59,13 @@ template <Numbers N>
 template <typename Search>
 void LightExtents<N>::look(const RayUse& use, Search& search) const {
     const Vec3d from = as<double>(search.ray().origin);
-    if (!(largest_component(absolute(from)) <= farthest_)) {
+    const LightsView& light = lights_[std::size_t(use.light)];
+    if (light.windows.empty() || !(largest_component(absolute(from)) <= farthest_)) {
         const SlabRay<double> ray(as<double>(search.ray()), reach_.size(), reach_.distortion);
         if (!ray.reliable() || ray.may_hit(reach_.bounds, double(search.reach())))
             for (const std::uint32_t object : together_)
                 if (search.test(object)) return;
     } else {
-        const LightsView& light = lights_[std::size_t(use.light)];
         for (const Window& window : light.windows) {
             const Vec3d seen = window.view.from_light(from);
             const auto cell = window.view.cell(seen);

@@ -24,9 +24,12 @@ Vec3d newell_normal(std::span<const Vec3d> corners) {
 
 bool is_fan(std::span<const Vec3d> corners) {
     const Vec3d normal = newell_normal(corners);
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        if (!(dot(normal, cross(corners[i] - corners[0], corners[i + 1] - corners[0])) > 0)) return false;
-    return true;
+    double last = 0;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        last = dot(normal, cross(corners[i] - corners[0], corners[i + 1] - corners[0]));
+        if (!(last >= 0)) return false;
+    }
+    return last > 0;
 }
 
 std::span<const MeshData::Corners> Triangulation::of(std::span<const Vec3d> corners) {

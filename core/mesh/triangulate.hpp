@@ -7,7 +7,8 @@
 
 namespace rayscope {
 
-/// Whether the triangles from the first corner to each side are the polygon, as those of every convex one are.
+/// Whether the triangles from the first corner to each side are the polygon, as those of a convex one are; the last one must
+/// have an area.
 [[nodiscard]] bool is_fan(std::span<const Vec3d> corners);
 
 /// Ears are cut off (Meisters 1975) until three corners are left: n − 2 triangles that run around like the outline, which

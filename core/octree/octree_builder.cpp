@@ -34,7 +34,7 @@ template <Numbers N> void OctreeBuilder<N>::build() {
     } else {
         limits_ = wanted_;
         OctreeReasons& reasons = tree_.statistics_.reasons;
-        reasons.depth = reasons.capacity = reasons.least_size = "no object has an end";
+        reasons.depth = reasons.capacity = reasons.least_size = "no object fits into a cell";
     }
     for (level_depth_ = 0; !level_.empty(); ++level_depth_) {
         next_level_.clear();
@@ -72,7 +72,8 @@ template <Numbers N> void OctreeBuilder<N>::sort_out() {
 }
 
 template <Numbers N> void OctreeBuilder<N>::choose_limits() {
-    const double edge = tree_.whole_.edge, rounding = 64 * epsilon<double> * tree_.size_;
+    const double edge = tree_.whole_.edge,
+                 rounding = 64 * epsilon<double> * tree_.size_ * tree_.distortion_ / 3;
     double smallest = edge;
     for (const std::uint32_t id : lists_) {
         const Box<double> box = parts_.bounds_of(id);

@@ -163,10 +163,11 @@ private:
         nodes_ += tree.size();
         for (const ExpandedNode& node : tree) {
             result.nodes.push_back({node.operation, node.left, node.right, solids_});
-            boxes.push_back(node.operation == Operation::leaf ? add_leaf(compound, node, material)
-                                                              : box_of(node, boxes));
-            extents.push_back(node.operation == Operation::leaf ? extent_of(node, boxes.back())
-                                                                : NodeExtent{boxes.back()});
+            const bool is_leaf = node.operation == Operation::leaf;
+            boxes.push_back(is_leaf ? add_leaf(compound, node, material)
+                                    : box_of(node, boxes, std::identity()));
+            extents.push_back(is_leaf ? extent_of(node, boxes.back())
+                                      : NodeExtent{box_of(node, extents, &NodeExtent::box)});
         }
         CompiledProgram compiled = compile(result.nodes, extents, boxes.back());
         result.program = std::move(compiled.program);
@@ -205,11 +206,12 @@ private:
                 test_costs[scene_.generics[leaf.generic].shape.index()]};
     }
 
-    static Box<double> box_of(const ExpandedNode& node, const std::vector<Box<double>>& boxes) {
+    static Box<double> box_of(const ExpandedNode& node, const auto& boxes, auto box) {
+        const auto of = [&](std::size_t i) -> const Box<double>& { return std::invoke(box, boxes[i]); };
         switch (node.operation) {
-        case Operation::set_union: return united(boxes[node.left], boxes[node.right]);
-        case Operation::intersection: return intersected(boxes[node.left], boxes[node.right]);
-        case Operation::difference: return boxes[node.left];
+        case Operation::set_union: return united(of(node.left), of(node.right));
+        case Operation::intersection: return intersected(of(node.left), of(node.right));
+        case Operation::difference: return of(node.left);
         default: return Box<double>::everything();
         }
     }

@@ -27,9 +27,12 @@ bool is_below_one(std::string_view text) {
 
 } // namespace
 
+std::string_view without_plus(std::string_view text) {
+    return text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
+}
+
 std::optional<double> decimal_number(std::string_view text) {
-    if (text.starts_with('+') && !text.starts_with("+-"))
-        text.remove_prefix(1); // which std::from_chars does not take
+    text = without_plus(text);
     double x = 0;
     const auto [end, error] = std::from_chars(text.begin(), text.end(), x);
     if (error == std::errc::invalid_argument || end != text.end()) return std::nullopt;

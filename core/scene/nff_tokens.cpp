@@ -18,11 +18,6 @@ constexpr double largest_value = 1e150;
 
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// std::from_chars takes no plus sign.
-std::string_view without_plus(std::string_view text) {
-    return text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
-}
-
 std::string shown(const NffToken& token) {
     return token.text.empty() ? "the end of the file" : in_quotes(token.text);
 }

@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 6> view_lines{"from", "at", "up", "angle"
 // Lines that begin like an object. A guess, but nearly always the exact number.
 std::size_t count_objects(std::string_view text) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < text.size(); i = std::min(text.find('\n', i), text.size() - 1) + 1)
+    for (std::size_t i = 0; i < text.size(); i = std::min(text.find_first_of("\r\n", i), text.size() - 1) + 1)
         if (text[i] == 's' || text[i] == 'p' || text[i] == 'c') ++count;
     return count;
 }
@@ -202,9 +202,9 @@ private:
         }
         if (!normals.empty() && !is_fan(vertices)) {
             if (can_cut) return add_triangles(command, vertices, normals);
-            warn(command,
-                 fmt::format("a polygon of more than {} vertices that is not convex is shaded as a flat one",
-                             mesh_limits::most_corners));
+            warn(command, fmt::format("a smooth polygon of more than {} vertices that is no fan around its "
+                                      "first is shaded as a flat one",
+                                      mesh_limits::most_corners));
             normals.clear();
         }
         draw(command, Polygon<double>(std::move(vertices), std::move(normals)), Mat4d{1});

@@ -64,7 +64,7 @@ void set(StageChoice& choice, std::string_view setting, std::string_view value) 
                                             "a share of the whole's edge, above 0 and up to 1");
     else
         throw std::invalid_argument(fmt::format(
-            "expected eye=, shadow=, other= or, of an octree, capacity=, depth= or least_size=, found '{}='",
+            "expected eye=, shadow=, other= or, of an octree, capacity=, depth= or least_size=, found '{}'",
             setting));
 }
 
@@ -92,12 +92,12 @@ StageChoice stage_choice(std::string_view text) {
         if (is_rung && !is_limit(setting))
             throw std::invalid_argument(
                 fmt::format("expected capacity=, depth= or least_size= after '{}', found '{}'", first, word));
-        if (equals == std::string_view::npos)
-            throw std::invalid_argument(fmt::format("expected a value: '{}='", word));
+        if (equals == std::string_view::npos && std::ranges::find(settings, setting) != settings.end())
+            throw std::invalid_argument(fmt::format("expected a value after '{}='", word));
         if (std::ranges::find(seen, setting) != seen.end())
             throw std::invalid_argument(fmt::format("'{}=' stands there twice", setting));
         seen.push_back(setting);
-        set(choice, setting, word.substr(equals + 1));
+        set(choice, setting, equals == std::string_view::npos ? "" : word.substr(equals + 1));
     }
     const bool has_octree = choice.eye == StageKind::octree || choice.shadow == StageKind::octree ||
                             choice.other == StageKind::octree;

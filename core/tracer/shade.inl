@@ -14,6 +14,7 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::trace(const Ray<T>& ray, const R
     dropped_ = Colour{0};
     const Leaving<T> nothing;
     Budget budget;
+    bool needs_medium = Recorder::enabled;
     if constexpr (all_effects) {
         if (adds_) {
             budget.path = seed;
@@ -21,18 +22,15 @@ Colour Tracer<N, Stage, Recorder, Order, mask>::trace(const Ray<T>& ray, const R
             brought_.clear();
             kind_ = RayKind::eye;
             spectrum_.clear();
-            if (world_.absorbs) {
-                work_.tests_parts = stage_.tests_parts(use);
-                budget.medium = medium_at_start(world_, ray, work_);
-            }
+            needs_medium = needs_medium || world_.absorbs;
         }
     }
     ++work_.counters.rays[std::size_t(RayKind::eye)];
-    if constexpr (Recorder::enabled) {
+    if (needs_medium) {
         work_.tests_parts = stage_.tests_parts(use);
         budget.medium = medium_at_start(world_, ray, work_);
-        recorder_.record(spawned(RayKind::eye, ray, nothing, budget));
     }
+    if constexpr (Recorder::enabled) recorder_.record(spawned(RayKind::eye, ray, nothing, budget));
     Colour colour = shade(use, ray, nothing, budget);
     if constexpr (Order::waits) colour += follow_waiting();
     return colour;

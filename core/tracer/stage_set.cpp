@@ -81,7 +81,8 @@ BestChoice best_choice(const World<double>& world) {
     });
     if (2 * std::size_t(polygons) > count)
         return {{StageKind::bvh, StageKind::bvh, StageKind::bvh},
-                objects + ", mostly polygons: in boxes they are tested eight at a time, in lists one by one"};
+                objects + ", mostly polygons: in boxes they are tested eight at a time, in lists one by one" +
+                    text_of_distorted(world)};
     const bool mirrors = std::ranges::any_of(world.objects, [&](const Object& object) {
         const Material& material = world.material_of(object);
         return largest_component(material.reflection) > 0 || material.transmits() ||
@@ -102,9 +103,10 @@ BestChoice best_choice(const World<double>& world) {
          mirrors || areas ? StageKind::bvh : StageKind::scan},
         objects + (parts_apart ? ", with boxes around parts of a compound" : "") +
             (cost > 2 * double(count) ? fmt::format(", as dear to test as {:.0f} balls", cost) : "") +
-            (points  ? ": the screen and each light list what they see in every direction"
-             : areas ? ": the screen lists what it sees in every direction"
-                     : ": the screen lists what it sees in every direction; no light casts shadows") +
+            (points && areas ? ": the screen and each point light list what they see in every direction"
+             : points        ? ": the screen and each light list what they see in every direction"
+             : areas         ? ": the screen lists what it sees in every direction"
+                             : ": the screen lists what it sees in every direction; no light casts shadows") +
             (areas ? "; shadow rays to areas walk through boxes" : "") +
             (mirrors ? "; mirrored and refracted rays walk through boxes" : "; nothing mirrors or refracts") +
             text_of_distorted(world)};

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace rayscope::test {
 namespace {
@@ -48,6 +50,21 @@ TEST(Images, of_shipped_scenes_are_the_same_on_all_rungs) {
         if (HasFatalFailure()) return;
     }
     EXPECT_GE(scenes, 14);
+}
+
+// Looked at from so near that the margin of its box is seen: rounding finds hits beside an object that is pressed flat.
+TEST(Images, of_an_edge_of_what_a_matrix_distorts_are_the_same_on_all_rungs) {
+    SceneBuilder b;
+    const double angle = 30.517,
+                 edge = std::cos(angle * std::numbers::pi / 180) + std::sin(angle * std::numbers::pi / 180);
+    b.generic(Cube<double>{}, scaling(1, 1, 1e-6) * rotation({0, 1, 0}, angle), b.clear(0.3, 0, 1));
+    b.light({3, 4, 5});
+    b.scene().camera.eye = {edge, 0, 10};
+    b.scene().camera.look_at = {edge, 0, 0};
+    for (const double view : {1e-9, 1e-8, 1e-7}) {
+        b.scene().camera.field_of_view = view;
+        expect_same_images(b.open(), 64, 48, "edge");
+    }
 }
 
 // Cameras and lights anywhere: inside objects, among them, far away, infinitely far.

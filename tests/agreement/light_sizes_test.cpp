@@ -45,5 +45,26 @@ TEST(LightLists, find_the_same_shadows_in_a_world_of_any_size) {
         }
 }
 
+// Points so far from all balls that no list was made for them; most of their shadow rays miss the crowd as a whole.
+TEST(LightLists, are_of_use_to_rays_from_afar) {
+    SceneBuilder b;
+    Random random(3);
+    const std::size_t dull = b.material(SceneMaterial{});
+    for (int i = 0; i < 200; ++i)
+        b.generic(Sphere<double>{}, translation(random.in_cube(1e-3)) * scaling(1e-4), dull);
+    b.generic(Plane<double>{}, translation({0, 0, -0.01}), dull);
+    b.light({0.1, 0.2, 3});
+    b.scene().camera.eye = {0, -4, 4};
+    b.scene().camera.up = {0, 0, 1};
+    b.scene().camera.width = b.scene().camera.height = 24;
+    const Workbench bench = b.open();
+    RenderOptions scan, lists;
+    scan.stage = stage_choice("scan");
+    lists.stage = stage_choice("eye=bvh,shadow=light,other=bvh");
+    const RenderResult all = render(bench, scan), few = render(bench, lists);
+    EXPECT_EQ(all.image.rgb, few.image.rgb);
+    EXPECT_LT(few.statistics.counters.objects, all.statistics.counters.objects / 10);
+}
+
 } // namespace
 } // namespace rayscope::test

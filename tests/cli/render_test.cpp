@@ -58,7 +58,7 @@ TEST(Render, an_octree_tells_where_it_stops_to_divide_and_why) {
     }
 }
 
-TEST(Render, an_octree_of_nothing_says_that_nothing_has_an_end) {
+TEST(Render, an_octree_of_nothing_says_that_nothing_fits_into_it) {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "endless.toml")
         << "[materials.grey]\n[generics.ground]\nshape = \"plane\"\nmaterial = \"grey\"\n";
@@ -66,9 +66,10 @@ TEST(Render, an_octree_of_nothing_says_that_nothing_has_an_end) {
         {"render", "endless.toml", "-o", "e.pfm", "--size", "8x6", "--stage", "octree", "--stats", "s.json"},
         {folder.path()});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("\noctree  none: no object has an end\n"));
+    EXPECT_THAT(outcome.out,
+                HasSubstr("\noctree  none: no object fits into a cell\n        1 in no cell: without end"));
     const json octree = json::parse(content_of(folder.path() / "s.json")).at("stage").at("octree");
-    EXPECT_EQ(octree.at("limits").at("depth").at("reason"), "no object has an end");
+    EXPECT_EQ(octree.at("limits").at("depth").at("reason"), "no object fits into a cell");
 }
 
 TEST(Render, statistics_have_the_documented_members) {

@@ -43,6 +43,18 @@ TEST(Step, shows_no_colours_where_no_terminal_is) {
     EXPECT_THAT(run_program({"step", "--no-png"}).out, Not(HasSubstr("\033")));
 }
 
+TEST(Step, names_the_sample_and_says_when_no_image_has_it) {
+    const Outcome seventh = run_program({"step", "mirror_bowl", "--sample", "7", "--no-png"});
+    EXPECT_THAT(seventh.out, HasSubstr("), sample 7\n"));
+    EXPECT_EQ(seventh.err, "");
+    const Outcome none = run_program({"step", "mirror_bowl", "--sample", "16", "--no-png"});
+    EXPECT_EQ(none.code, 0);
+    EXPECT_EQ(none.err,
+              "rayscope: the scene takes 16 samples of a pixel at most: number 16 is in no image without "
+              "larger --samples\n");
+    EXPECT_THAT(run_program({"step", "glass_bowl", "--no-png"}).out, Not(HasSubstr("sample")));
+}
+
 TEST(Step, a_given_ray_keeps_its_length) {
     const Outcome outcome = run_program({"step", "--ray", "0,0,8,0,0,-2", "--no-png"});
     EXPECT_THAT(outcome.out, HasSubstr("a ray given by hand"));

@@ -29,6 +29,12 @@ TEST(DecimalNumber, out_of_range_is_zero_or_infinite) {
     EXPECT_TRUE(std::signbit(decimal_number("-1e-400").value()));
 }
 
+TEST(DecimalNumber, may_be_infinite_or_none_in_words) {
+    EXPECT_EQ(decimal_number("inf"), HUGE_VAL);
+    EXPECT_EQ(decimal_number("-inf"), -HUGE_VAL);
+    EXPECT_TRUE(std::isnan(decimal_number("nan").value()));
+}
+
 TEST(DecimalNumber, is_the_whole_text_or_none) {
     for (const char* text : {"", "+", "-", "+-1", "--1", "1.5x", "1 2", "0x10", "e5", "1,5"})
         EXPECT_EQ(decimal_number(text), std::nullopt) << text;

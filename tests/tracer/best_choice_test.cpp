@@ -107,6 +107,10 @@ TEST(StageChoice, limits_an_octree) {
     EXPECT_EQ(error("octree,least_size=nan"),
               "expected a share of the whole's edge, above 0 and up to 1 after 'least_size=', found 'nan'");
     EXPECT_EQ(error("bvh,capacity=2"), "'bvh,capacity=2' limits an octree, but no rays are found by one");
+    EXPECT_EQ(error("eye=projective,bvh"),
+              "expected eye=, shadow=, other= or, of an octree, capacity=, depth= or "
+              "least_size=, found 'bvh'");
+    EXPECT_EQ(error("eye=scan,capacity"), "expected a value after 'capacity='");
     EXPECT_EQ(error("eye=scan,eye=bvh"), "'eye=' stands there twice");
     for (const char* wrong : {"", "octree,", "eye=scan,,", "eye=scan,capacity", ","})
         EXPECT_NE(error(wrong), "none") << wrong;

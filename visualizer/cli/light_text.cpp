@@ -60,13 +60,20 @@ void add_one_light(Page& page, const Trace& trace, int ray, const LightLit& lit,
     }
 }
 
+bool leads_to_its_middle(const Trace& trace, const TracedRay& ray, const LightLit& lit) {
+    constexpr double rounding = 1e-12;
+    const TraceLight& light = trace.lights[std::size_t(lit.light)];
+    if (light.directional) return true;
+    return length(lit.to_light - normalized(light.position - ray.find<BoundaryChosen>()->point)) < rounding;
+}
+
 /// A point of a light's area: its sums alone.
 void add_point(Page& page, const Trace& trace, int ray, const LightLit& lit, const StepStyle& style) {
     const Numbers& number = style.number;
     if (lit.sample == 0)
-        page.item("light " + light_name(trace, lit.light), "has an area: " + std::to_string(lit.samples) +
-                                                               " points, each of intensity " +
-                                                               number.colour(lit.intensity));
+        page.item("light " + light_name(trace, lit.light),
+                  "has an area: " + counted(lit.samples, "point", "points") + ", each of intensity " +
+                      number.colour(lit.intensity));
     const std::string label = "point " + std::to_string(lit.sample + 1);
     if (!(lit.cosine > 0))
         page.item(label, "behind the surface", 1);
@@ -116,7 +123,7 @@ void add_light(Page& page, const Trace& trace, int index, const StepStyle& style
                           times("material" + std::string(glue) + number.colour(ambient->material)) +
                           equals(number.colour(ambient->scene * ambient->material)));
         if (const auto* lit = std::get_if<LightLit>(&event)) {
-            if (lit->samples > 1)
+            if (lit->samples > 1 || !leads_to_its_middle(trace, ray, *lit))
                 add_point(page, trace, index, *lit, style);
             else
                 add_one_light(page, trace, index, *lit, style);

@@ -70,6 +70,9 @@ int render(const RenderCommandOptions& options) {
     tracing.heat = options.heat;
     tracing.samples = options.samples;
     tracing.even_samples = options.even_samples;
+    if (options.even_samples && (options.samples > 0 ? options.samples : scene.camera.samples) == 1)
+        throw UsageError(
+            "--even-samples: each pixel has one sample; expected --samples N beside it, more than 1");
     tracing.stop = &stop_asked_for;
     catch_interrupts();
     RenderResult result;

@@ -36,13 +36,16 @@ const char* ray_kind_at(std::size_t i) { return name_of(RayKind(i)); }
 const char* generic_kind_at(std::size_t i) { return generic_name(i); }
 
 std::string octree_text(const OctreeStatistics& octree) {
-    if (octree.leaves == 0) return "octree  none: no object has an end\n";
-    std::string text = fmt::format("octree  {} nodes, {} leaves with {} entries, {} levels deep, {} bytes\n",
-                                   grouped(octree.nodes), grouped(octree.leaves), grouped(octree.entries),
-                                   octree.depth, grouped(octree.bytes));
+    std::string text =
+        octree.leaves == 0
+            ? "octree  none: no object fits into a cell\n"
+            : fmt::format("octree  {} nodes, {} leaves with {} entries, {} levels deep, {} bytes\n",
+                          grouped(octree.nodes), grouped(octree.leaves), grouped(octree.entries),
+                          octree.depth, grouped(octree.bytes));
     if (octree.apart > 0)
         text += fmt::format("        {} in no cell: without end, too far away or too distorted\n",
                             grouped(octree.apart));
+    if (octree.leaves == 0) return text;
     text += fmt::format("        at most {} levels: {}\n", octree.limits.depth, octree.reasons.depth);
     text +=
         fmt::format("        more than {} objects: {}\n", octree.limits.capacity, octree.reasons.capacity);

@@ -3,6 +3,7 @@
 #include "visualizer/cli/failure.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 
@@ -80,6 +81,12 @@ Trace trace_choice(const Workbench& bench, const RayChoice& choice) {
                          " lies outside the image of " + std::to_string(camera.width) + " × " +
                          std::to_string(camera.height) + " pixels, whose last one is " +
                          std::to_string(camera.width - 1) + "," + std::to_string(camera.height - 1));
+    if (choice.sample >= camera.samples)
+        std::fprintf(
+            stderr,
+            "rayscope: the scene takes %d sample%s of a pixel at most: number %d is in no image without "
+            "larger --samples\n",
+            camera.samples, camera.samples == 1 ? "" : "s", choice.sample);
     return stages ? trace_pixel(bench, *stages, x, y, 0, 0, choice.sample)
                   : trace_pixel(bench, x, y, 0, 0, choice.sample);
 }

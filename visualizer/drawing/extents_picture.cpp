@@ -15,7 +15,7 @@ constexpr std::size_t most_names = 24; // more would hide the image
 
 constexpr Rgb tile_blue{0x20, 0x50, 0x90};
 
-// Faded, so that lines stand out; a tile with a list is the bluer the more objects that has.
+// Faded, so that lines stand out; a tile with a list is the darker the more objects that has.
 Bitmap bitmap_of(const Image& image, const ScreenExtents& extents, const Area& area) {
     Bitmap bitmap{area, image.width, image.height, {}};
     bitmap.pixels.reserve(image.rgb.size() / 3);

@@ -5,7 +5,8 @@
 
 namespace rayscope::drawing {
 
-/// The rectangle of each object and the tiles that list any. Small images are enlarged, those of more than 4096 pixels made smaller.
+/// The rectangle of each object and the tiles that list any. Small images are enlarged, those of more than 4096 pixels made
+/// smaller.
 [[nodiscard]] Raster draw_extents(const ScreenExtents& extents, const Image& image, const std::string& title);
 
 } // namespace rayscope::drawing

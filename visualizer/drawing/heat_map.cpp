@@ -88,7 +88,7 @@ double end_of_scale(const Map& map) {
     if (!(end > 0)) return 1;
     // Numbers of things end at a multiple of four, so that a quarter of the scale is one, too.
     const bool are_whole = std::ranges::all_of(values, [](float v) { return v == std::trunc(v); });
-    return are_whole ? 4 * std::ceil(end / 4) : end;
+    return are_whole && end >= 4 ? 4 * std::ceil(end / 4) : end;
 }
 
 } // namespace rayscope::drawing
