@@ -192,13 +192,15 @@ private:
     }
 
     void add_polygon(const NffToken& command, std::vector<Vec3d> vertices, std::vector<Vec3d> normals) {
-        if (const auto problem = polygon_problem(vertices, infinity<double>))
-            return warn(command, *problem + "; it is left out");
         const bool can_cut = vertices.size() <= mesh_limits::most_corners;
-        if (const auto bent = polygon_problem(vertices, flatness_of(vertices)); bent && vertices.size() > 3) {
-            if (can_cut) return add_triangles(command, vertices, normals);
-            return warn(command, fmt::format("{}, and of more than {} it is not cut; it is left out", *bent,
-                                             mesh_limits::most_corners));
+        if (const auto problem = polygon_problem(vertices, flatness_of(vertices))) {
+            const bool only_bent = !polygon_problem(vertices, infinity<double>);
+            if (!only_bent) return warn(command, *problem + "; it is left out");
+            if (vertices.size() > 3) {
+                if (can_cut) return add_triangles(command, vertices, normals);
+                return warn(command, fmt::format("{}, and of more than {} it is not cut; it is left out",
+                                                 *problem, mesh_limits::most_corners));
+            }
         }
         if (!normals.empty() && !is_fan(vertices)) {
             if (can_cut) return add_triangles(command, vertices, normals);
